@@ -117,22 +117,30 @@ PanelSheet euler_sheet(const Solution& s, Language language) {
                      Words{"Below, over the exact curves, Δ$t$/100", "Sotto, sulle curve esatte, Δ$t$/100"} +
                      of_scheme("", hundredth, corners) +
                      of_scheme("Δ$t$/1000", thousandth, {": the polygon.", ": il poligono."});
-  return {.panels = panels(ChartPanel(coarse, read), ChartPanel(fine)),
-          .results = {remark(seen.in(language)), values({"euler_100ms.v_1", "euler_100ms.omega_1"}),
-                      values({"euler_100ms.rim_speed_over_speed_1"}),
-                      table({"", "$t_{s}$ (s)"},
-                            {{Words{"exact", "esatto"}.in(language), {"t_s"}},
-                             {with_steps(s, "Δ$t$/100", "euler_1ms."), {"euler_1ms.t_s"}, "–"},
-                             {with_steps(s, "Δ$t$/1000", "euler_100us."), {"euler_100us.t_s"}, "–"}},
-                            figures_told),
-                      values({"euler_1ms.v_20", "euler_1ms.omega_20"}),
-                      values({"euler_100us.v_200", "euler_100us.omega_200"})},
-          .seen = {"Euler's polygon of the source's step over the exact speeds, and those of a hundredth and a "
-                   "thousandth of it",
-                   "Il poligono di Eulero con il passo della fonte sulle velocità esatte, e quelli con un centesimo "
-                   "e un millesimo"},
-          .told = {"euler_100ms.v_1", "euler_100ms.omega_1", "t_s", "euler_1ms.t_s", "euler_100us.t_s"},
-          .without_part = {"f_a"}};
+  const Words scheme{
+      "$v_{i+1}$ = $v_{i}$ − ($\\it{A}$ + $\\it{B}v_{i}^{2}$)Δ$t$, $ω_{i+1}$ = $ω_{i}$ + ($\\it{C}$ + "
+      "$\\it{D}v_{i}^{2}$)Δ$t$, with the $\\it{A}$ … $\\it{D}$ of the closed form, until $ω\\it{R}$ ≥ $v$: $n$ "
+      "steps.",
+      "$v_{i+1}$ = $v_{i}$ − ($\\it{A}$ + $\\it{B}v_{i}^{2}$)Δ$t$, $ω_{i+1}$ = $ω_{i}$ + ($\\it{C}$ + "
+      "$\\it{D}v_{i}^{2}$)Δ$t$, con le $\\it{A}$ … $\\it{D}$ della forma chiusa, finché $ω\\it{R}$ ≥ $v$: $n$ "
+      "passi."};
+  return {
+      .panels = panels(ChartPanel(coarse, read), ChartPanel(fine)),
+      .theory = {{{"The scheme", "Lo schema"}, {remark(scheme.in(language)), remark(seen.in(language))}}},
+      .results = {values({"euler_100ms.v_1", "euler_100ms.omega_1"}), values({"euler_100ms.rim_speed_over_speed_1"}),
+                  table({"", "$t_{s}$ (s)"},
+                        {{Words{"exact", "esatto"}.in(language), {"t_s"}},
+                         {with_steps(s, "Δ$t$/100", "euler_1ms."), {"euler_1ms.t_s"}, "–"},
+                         {with_steps(s, "Δ$t$/1000", "euler_100us."), {"euler_100us.t_s"}, "–"}},
+                        figures_told),
+                  values({"euler_1ms.v_20", "euler_1ms.omega_20"}),
+                  values({"euler_100us.v_200", "euler_100us.omega_200"})},
+      .seen = {"Euler's polygon of the source's step over the exact speeds, and those of a hundredth and a "
+               "thousandth of it",
+               "Il poligono di Eulero con il passo della fonte sulle velocità esatte, e quelli con un centesimo "
+               "e un millesimo"},
+      .told = {"euler_100ms.v_1", "euler_100ms.omega_1", "t_s", "euler_1ms.t_s", "euler_100us.t_s"},
+      .without_part = {"f_a"}};
 }
 
 }  // namespace epure::aircraft_landing

@@ -1,10 +1,39 @@
 // Speeds of aircraft and rim until slip ends; the areas below them are the ways.
+#include "exercises/aircraft-landing/landing.h"
 #include "exercises/aircraft-landing/sheets.h"
 #include "exercises/aircraft-landing/speeds.h"
 #include "exercises/kit/panels/chart_panel.h"
 #include "exercises/kit/panels/sheet.h"
 
 namespace epure::aircraft_landing {
+namespace {
+
+// The law of the speeds and its integral, by the sign of B.
+std::vector<Result> closed_form(const Landing& of, Language language) {
+  const auto told = [&](const Words& words) { return remark(words.in(language)); };
+  const geometry::analytic::SpinUp law = of.law();
+  const std::string turning = "($f_{r}$ − $f_{v}$)$\\it{R}$/$\\it{J}_{r}$";
+  const Words laws =
+      Words{"d$v$/d$t$ = −($\\it{A}$ + $\\it{B}v^{2}$), d$ω$/d$t$ = $\\it{C}$ + $\\it{D}v^{2}$, with ",
+            "d$v$/d$t$ = −($\\it{A}$ + $\\it{B}v^{2}$), d$ω$/d$t$ = $\\it{C}$ + $\\it{D}v^{2}$, con "} +
+      Words{"$\\it{A}$ = $f_{r}g$, $\\it{B}$ = ($f_{r}c_{y}$ + $c_{x}$)/$\\it{M}$, ",
+            "$\\it{A}$ = $f_{r}g$, $\\it{B}$ = ($f_{r}c_{y}$ + $c_{x}$)/$\\it{M}$, "};
+  const std::string rest =
+      "$\\it{C}$ = $\\it{Mg}$" + turning + ", $\\it{D}$ = $c_{y}$" + turning + ", $\\it{M}$ = $m_{a}$ + $m_{r}$.";
+  const std::string turned = "$ω$ = $ω_{0}$ + $\\it{C}t$ + ($v_{0}$ − $v$ − $\\it{A}t$)$\\it{D}$/$\\it{B}$";
+  const std::string v =
+      law.B > 0 ? "$v$ = √($\\it{A}$/$\\it{B}$) tan($β$ − √($\\it{AB}$) $t$), tan $β$ = $v_{0}$√($\\it{B}$/$\\it{A}$)"
+      : law.B < 0 ? "$v$ = $w$($v_{0}$ − $wθ$)/($w$ − $v_{0}θ$), $w$ = √(−$\\it{A}$/$\\it{B}$), $θ$ = "
+                    "tanh(√(−$\\it{AB}$) $t$)"
+                  : "$v$ = $v_{0}$ − $\\it{A}t$";
+  const std::string omega =
+      law.B != 0 ? turned : "$ω$ = $ω_{0}$ + $\\it{C}t$ + ($v_{0}^{3}$ − $v^{3}$)$\\it{D}$/3$\\it{A}$";
+  return {told(laws + Words{rest, rest}), remark(v), remark(omega),
+          told({"Slip ends at the first $t_{s}$ where $ω\\it{R}$ = $v$.",
+                "Lo strisciamento finisce al primo $t_{s}$ in cui $ω\\it{R}$ = $v$."})};
+}
+
+}  // namespace
 
 PanelSheet slip_sheet(const Solution& s, Language language) {
   const double t_s = s["t_s"], v_s = s["v_s"], v_0 = s["v_0"], R = CGAL::to_double(s.givens()["R"]);
@@ -42,7 +71,8 @@ PanelSheet slip_sheet(const Solution& s, Language language) {
       "touch-down, which cross at "
       "$t^{*}_{s}$.",
       "L'intera area sotto $v$ è lo spazio $s_{v}$ dell'aereo; quella sotto $ω\\it{R}$ lo spazio $s_{ω}$ della "
-      "periferia; tra le due sta lo spazio strisciato. In grigio e a tratti, per quanto si staccano dalle curve, le "
+      "periferia; tra le due sta lo spazio strisciato. In grigio, tratteggiate, per quanto si staccano dalle curve, "
+      "le "
       "tangenti al contatto, che si "
       "incontrano in "
       "$t^{*}_{s}$."};
@@ -58,11 +88,13 @@ PanelSheet slip_sheet(const Solution& s, Language language) {
                   "$\\it{L}_{F}$ strisciando."};
   return {
       .panels = panels(ChartPanel(chart, read)),
+      .theory = {{{"In closed form", "In forma chiusa"}, closed_form(Landing(s.givens()), language)},
+                 {{"The diagram", "Il diagramma"}, {remark((ways + at_10ms).in(language))}}},
       .results = {values({"t_s", "v_s"}), values({"omega_s", "omega_rolling_0"}),
-                  values({"t_s_tangents", "v_s_tangents"}), remark((ways + at_10ms).in(language)),
-                  values({"ground_path_s", "rolled_path_s"}), values({"slip_path_s", "wheel_angle_s"}),
-                  values({"v_10ms", "omega_10ms"}), remark(works.in(language)),
-                  values({"wheel_energy_s", "friction_work_s"}), values({"drag_work_s", "rolling_work_s"})},
+                  values({"t_s_tangents", "v_s_tangents"}), values({"ground_path_s", "rolled_path_s"}),
+                  values({"slip_path_s", "wheel_angle_s"}), values({"v_10ms", "omega_10ms"}),
+                  remark(works.in(language)), values({"wheel_energy_s", "friction_work_s"}),
+                  values({"drag_work_s", "rolling_work_s"})},
       .seen = {"Speeds of aircraft and rim over time until slip ends, with the ways as areas",
                "Velocità dell'aereo e della periferia nel tempo fino alla fine dello strisciamento, con gli spazi "
                "come aree"},

@@ -97,6 +97,8 @@ PanelSheet reactions_sheet(const Solution& s, Language language) {
   const Words scale = Words{"Scale of moments: $h$ times that of lengths. An ordinate of 1 m is worth ",
                             "Scala dei momenti: $h$ per quella delle lunghezze. Un'ordinata di 1 m vale "} +
                       Words{h, h} + Words{" N m.", " N m."};
+  const Words directions{"On crane and beam the arrows show directions, in the plan of forces sizes too.",
+                         "Su gru e trave le frecce danno le direzioni, nel piano delle forze anche le intensità."};
   const Words doubled{
       "With 600 kg, as the source computes, the same figure holds when a centimetre is taken for 600 "
       "kg/$\\it{W}_{b}$ times the force.",
@@ -105,7 +107,7 @@ PanelSheet reactions_sheet(const Solution& s, Language language) {
   return {.panels = panels(loaded_crane(s), force_plan(s, language), beam),
           .results = {values({"P", "Y_A"}), values({"Y_B", "R_B", "X_B"}), values({"T_1_BC", "T_1_CD"}),
                       values({"M_1_mid_BC", "M_1_mid_CD"}), values({"M_C", "N_2"}), remark(scale.in(language)),
-                      remark(doubled.in(language))},
+                      remark(directions.in(language)), remark(doubled.in(language))},
           .seen = {"The crane, its beam cut free, the plan of forces with pole and rays, the funicular polygon as "
                    "diagram of moments, and the shear beneath",
                    "La gru, la trave isolata, il piano delle forze con polo e raggi, il poligono funicolare come "
@@ -142,7 +144,7 @@ LoadLinePanel weights(const Solution& s, Language language) {
        .forces = {{"moment_area_BC", "$\\it{Ω}_{BC}$", 0, BC, 0, true},
                   {"moment_area_CD", "$\\it{Ω}_{CD}$", BC, BC + CD, 0, true}},
        .pole = Place{-d, 0},
-       .pole_distance = "$\\it{EJ}/n$ = " + figures(d, 4, language) + " N m²",
+       .pole_distance = "$\\it{EJ}_{x1}/n$ = " + figures(d, 4, language) + " N m²",
        .rays = {{0, "$t_{B}$"}, {BC, "$t_{C}$"}, {BC + CD, "$t_{D}$"}},
        .steps = {
            {{"The areas $\\it{Ω}$ of the diagram of moments laid off as forces; pole distance $\\it{EJ}_{x1}/n$.",
@@ -199,8 +201,8 @@ PanelSheet elastic_sheet(const Solution& s, Language language) {
              "La barca scende per flessione e con la colonna: $v_{D}$ = $v_{D,f}$ + $v_{D,r}$."});
   return {.panels = panels(weights(s, language), williot(s), beam),
           .results = {values({"M_C"}), values({"moment_area_BC", "moment_area_CD"}), values({"theta_B", "theta_C"}),
-                      values({"theta_D", "xi_v_max_BC"}), workshop_values({"v_max_BC", "v_D_bending"}),
-                      workshop_values({"column_shortening", "v_D"}),
+                      values({"theta_D", "xi_v_max_BC"}), workshop_values({"J_x1"}),
+                      workshop_values({"v_max_BC", "v_D_bending"}), workshop_values({"column_shortening", "v_D"}),
                       remark("$n$ = " + short_number(s["enlargement"], language))},
           .seen = {"The elastic line of the beam by Mohr's second funicular polygon, and Williot's plan of the "
                    "column's shortening",

@@ -177,10 +177,13 @@ PanelSheet fatigue_sheet(const Solution& s, Language language) {
     chart.curves.push_back({.name = of == with_600 ? "line_600" : "line",
                             .runs = {{{0, effective}, {yield, 0}}},
                             .meaning = Meaning::force,
-                            .line = of == with_600 ? drawings::LineType::dashed : drawings::LineType::continuous});
-    chart.markers.push_back({.at = {0, effective}, .label = "$Δσ_{eff}$", .meaning = Meaning::force});
+                            .line = of == with_600 ? drawings::LineType::dotted : drawings::LineType::continuous});
+    chart.markers.push_back({.at = {0, effective},
+                             .label = of == with_600 ? "$Δσ_{eff}$ (600 kg)" : "$Δσ_{eff}$",
+                             .meaning = Meaning::force});
     reads.push_back({{0, effective}, "", of + "Delta_sigma_eff", 1, mega});
   };
+  chart.markers.push_back({.at = {yield, 0}, .label = "$σ_{S}$", .meaning = Meaning::locus});
   state("", "1");
   state(with_600, "1 (600 kg)");
   chart.markers.push_back(
@@ -192,7 +195,7 @@ PanelSheet fatigue_sheet(const Solution& s, Language language) {
       "la $Δσ_{eff}$, e la verifica non vale. "};
   const Words by_line{
       "The line from the yield stress through the state 1 of the beam meets the axis of $Δσ$ in $Δσ_{eff}$, the "
-      "range that is worth it with a mean stress of zero. The check holds when that is not above $Δσ_{L}$/$Ψ$: when "
+      "equivalent range with a mean stress of zero. The check holds when that is not above $Δσ_{L}$/$Ψ$: when "
       "the state lies below the dashed line. ",
       "La retta dallo snervamento per lo stato 1 della trave incontra l'asse delle $Δσ$ in $Δσ_{eff}$, l'ampiezza "
       "equivalente a tensione media nulla. La verifica vale se non supera $Δσ_{L}$/$Ψ$: se lo stato sta sotto la "
@@ -215,6 +218,19 @@ PanelSheet fatigue_sheet(const Solution& s, Language language) {
           .told = {"Delta_sigma", "sigma_m", "Delta_sigma_eff", "Delta_sigma_Lamm"},
           .without_part = {"H_0", "E"}};
 }
+
+namespace {
+
+Words verdict_on_buckling(const Solution& s) {
+  const auto excess = s.value("buckling_utilisation_excess");
+  return excess && *excess <= 0
+             ? Words{"|$\\it{N}_{2}$| ≤ $\\it{P}_{cr}$/$Ψ$, $u_{cr}$ ≤ 1: the check holds.",
+                     "|$\\it{N}_{2}$| ≤ $\\it{P}_{cr}$/$Ψ$, $u_{cr}$ ≤ 1: la verifica vale."}
+             : Words{"|$\\it{N}_{2}$| > $\\it{P}_{cr}$/$Ψ$, $u_{cr}$ > 1: the check does not hold.",
+                     "|$\\it{N}_{2}$| > $\\it{P}_{cr}$/$Ψ$, $u_{cr}$ > 1: la verifica non vale."};
+}
+
+}  // namespace
 
 PanelSheet buckling_sheet(const Solution& s, Language language) {
   const double yield = CGAL::to_double(s.givens()["sigma_S"]), E = CGAL::to_double(s.givens()["E"]), A = s["A_2"];
@@ -240,10 +256,12 @@ PanelSheet buckling_sheet(const Solution& s, Language language) {
                   {.name = "yield_allowed",
                    .runs = {{{0, yield / safety}, {limit, yield / safety}}},
                    .meaning = Meaning::second_locus,
+                   .line = drawings::LineType::dashed,
                    .label = "$σ_{S}$/$Ψ$"},
                   {.name = "yield",
                    .runs = {{{0, yield}, {limit, yield}}},
                    .meaning = Meaning::second_locus,
+                   .line = drawings::LineType::continuous,
                    .label = "$σ_{S}$"}};
   chart.markers = {{.at = {slenderness, load("")}, .label = "|$σ_{zN}$|", .meaning = Meaning::force},
                    {.at = {slenderness, load(with_600)}, .label = "|$σ_{zN}$| (600 kg)", .meaning = Meaning::force},
@@ -255,7 +273,7 @@ PanelSheet buckling_sheet(const Solution& s, Language language) {
         {.at = {slenderness, critical}, .label = "$\\it{P}_{cr}$/$\\it{A}_{2}$", .meaning = Meaning::locus});
     reads.push_back({{slenderness, critical}, "slenderness", "P_cr", 1, A * mega});
   }
-  chart.verticals = {{slenderness, "$λ$"}};
+  chart.verticals = {{slenderness, "$λ$ = " + figures(slenderness, 4, language)}};
   const Words axis = s["J_y2"] <= s["J_x2"]
                          ? Words{"The column is weaker about the axis $y$, in the plane of its flanges: ",
                                  "La colonna è più debole attorno all'asse $y$, nel piano delle piattabande: "}
@@ -272,6 +290,7 @@ PanelSheet buckling_sheet(const Solution& s, Language language) {
                   "$λ$ supera $λ_{lim}$: la colonna s'inflette prima di snervarsi."}
           : Words{"$λ$ is below $λ_{lim}$: the column yields before Euler's load, which does not hold there.",
                   "$λ$ è minore di $λ_{lim}$: la colonna si snerva prima del carico di Eulero, che lì non vale."};
+  const Words strong{"$\\it{P}'_{cr}$: about the stronger axis.", "$\\it{P}'_{cr}$: attorno all'asse più forte."};
   return {
       .panels = panels(ColumnPanel(s), ChartPanel(std::move(chart), std::move(reads))),
       .theory = {{{"Slenderness", "Snellezza"}, {remark(how.in(language)), remark(valid.in(language))}}},
@@ -279,7 +298,8 @@ PanelSheet buckling_sheet(const Solution& s, Language language) {
                   values({"slenderness", "slenderness_limit"}), values({"P_cr", "P_cr_over_Psi"}),
                   values({"P_cr_strong_axis"}), workshop_values({"N_2", "sigma_zN"}),
                   values(is_slender ? std::vector<std::string>{"buckling_utilisation", "buckling_safety_factor"}
-                                    : std::vector<std::string>{})},
+                                    : std::vector<std::string>{}),
+                  remark(is_slender ? verdict_on_buckling(s).in(language) : ""), remark(strong.in(language))},
       .seen = {"The column with the diagram of its normal force, and Euler's hyperbola with its points",
                "La colonna con il diagramma della sua forza normale, e l'iperbole di Eulero con i suoi punti"},
       .told = {"slenderness", "slenderness_limit", "P_cr", "N_2", "buckling_safety_factor"},
@@ -343,10 +363,11 @@ PanelSheet checks_sheet(const Solution& s, Language language) {
                                does_not_hold(s) + Words{".", "."};
   const Words why{
       "The source states 300 kg, and everything it prints of the load is that of 600 kg: $\\it{P}$ = 5884 N is "
-      "600·9.80665 N. It is twice what it states; check evaluates each of its formulas so. A check holds when its "
+      "600·9.80665 N. It is twice what it states; recomputed so, each of its formulas agrees. A check holds when its "
       "utilisation $u$ is not above 1.",
       "La fonte dichiara 300 kg, e tutto ciò che stampa del carico è quello di 600 kg: $\\it{P}$ = 5884 N è "
-      "600·9,80665 N. È il doppio di quanto dichiara; check valuta così ognuna delle sue formule. Una verifica vale "
+      "600·9,80665 N. È il doppio di quanto dichiara; ricalcolata così, ognuna delle sue formule torna. Una verifica "
+      "vale "
       "se il grado di utilizzo $u$ non supera 1."};
   return {.panels = panels(MechanismPanel(whole_crane(s)), std::move(table)),
           .theory = {{{"Both masses", "Le due masse"}, {remark(why.in(language))}}},

@@ -38,12 +38,18 @@ std::unique_ptr<Exercise> make_cam_dynamics() {
           "diagramma polare."}},
         acceleration_sheet},
        {{"forces",
-         {"Forces and torque", "Forze e coppia"},
-         {"An eccentric cam moves a roller follower. In the given position find the reactions and the driving "
-          "torque.",
-          "Una camma eccentrica muove una punteria a rotella. Nella posizione data trovare le reazioni e la coppia "
-          "motrice."}},
+         {"Forces on the follower", "Forze sul cedente"},
+         {"An eccentric cam moves a roller follower. In the given position find the reactions on the follower.",
+          "Una camma eccentrica muove una punteria a rotella. Nella posizione data trovare le reazioni sul "
+          "cedente."}},
         forces_sheet},
+       {{"torque",
+         {"Forces on the cam and torque", "Forze sulla camma e coppia"},
+         {"An eccentric cam moves a roller follower. In the given position find the reaction of the frame on the cam "
+          "and the driving torque.",
+          "Una camma eccentrica muove una punteria a rotella. Nella posizione data trovare la reazione del telaio "
+          "sulla camma e la coppia motrice."}},
+        torque_sheet},
        {{"maximum-lift",
          {"Maximum lift", "Massima alzata"},
          {"An eccentric cam moves a roller follower. At maximum lift find the least closing force that keeps contact "

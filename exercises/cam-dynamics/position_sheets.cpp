@@ -12,15 +12,26 @@ namespace {
 
 const std::set<std::string> of_forces{"m_2", "m_3", "P", "g"};
 
-// The mechanism with the relative pole of cam and follower.
-class RelativePolePanel : public MechanismPanel {
+// The mechanism with the radius A0B, square to v_B2.
+class RadiusPanel : public MechanismPanel {
  public:
-  RelativePolePanel(const Solution& s)
-      : MechanismPanel(whole(s, "")),
-        A0_(s.place("A0")),
-        A_(s.place("A_at")),
-        B_(s.place("B_at")),
-        P23_(s.place("P23")) {}
+  explicit RadiusPanel(const Solution& s)
+      : MechanismPanel(whole(s, "")), A0_(s.place("A0")), A_(s.place("A_at")), B_(s.place("B_at")) {}
+
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
+    MechanismPanel::draw(plot, room, language);
+    plot.segment(A0_, B_, Meaning::construction);
+    return {};
+  }
+
+ protected:
+  Place A0_, A_, B_;
+};
+
+// And with the relative pole of cam and follower.
+class RelativePolePanel : public RadiusPanel {
+ public:
+  explicit RelativePolePanel(const Solution& s) : RadiusPanel(s), P23_(s.place("P23")) {}
 
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override {
     constexpr double letters = 7;  // mm
@@ -33,7 +44,7 @@ class RelativePolePanel : public MechanismPanel {
   }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
     constexpr double beyond = 4;  // mm
-    MechanismPanel::draw(plot, room, language);
+    RadiusPanel::draw(plot, room, language);
     plot.long_segment(B_, P23_, beyond, Meaning::construction);
     plot.long_segment(A0_, P23_, beyond, Meaning::construction);
     plot.cross(P23_);
@@ -52,7 +63,23 @@ class RelativePolePanel : public MechanismPanel {
   }
 
  private:
-  Place A0_, A_, B_, P23_;
+  Place P23_;
+};
+
+// The sought vector is short beside the others: its own letters crowd with those of its ends.
+class AccelerationsPanel : public PolygonPanel {
+ public:
+  AccelerationsPanel(const Solution& s, Language language)
+      : PolygonPanel(s, accelerations(s, "", language)), sought_(s.vector("a_B3")) {}
+
+  std::vector<Place> lettered() const override {
+    std::vector<Place> all = PolygonPanel::lettered();
+    all.push_back(Place{0, 0} + 0.5 * sought_);
+    return all;
+  }
+
+ private:
+  Arrow2 sought_;
 };
 
 }  // namespace
@@ -79,7 +106,7 @@ PanelSheet acceleration_sheet(const Solution& s, Language language) {
   without.insert("n_lift");
   const Words coriolis{"$\\vec{a}_{c}$ is $\\vec{v}_{B32}$ turned by 90° in the sense of $ω_{2}$, times 2$ω_{2}$.",
                        "$\\vec{a}_{c}$ è $\\vec{v}_{B32}$ ruotata di 90° nel verso di $ω_{2}$, per 2$ω_{2}$."};
-  return {.panels = panels(MechanismPanel(whole(s, "")), PolygonPanel(s, accelerations(s, "", language))),
+  return {.panels = panels(RadiusPanel(s), AccelerationsPanel(s, language)),
           .results = {values({"v_B32", "a_B2"}), values({"a_B32_n", "a_coriolis"}), values({"a_B32_t", "a_B3"}),
                       values({"a_G2"}), remark(coriolis.in(language))},
           .seen = {"The polygon of the accelerations of B, with that of Coriolis",
@@ -144,11 +171,18 @@ FreeBodyPanel follower_cut_free(const Solution& s, const Forces& on) {
 FreeBodyPanel cam_cut_free(const Solution& s, const Forces& on) {
   const Place A0 = s.place("A0"), A = s.place("A_at"), C = s.place("contact_at");
   FreeBodyPanel body(std::make_shared<const Mechanism>(cam_figure(s, "", Shown::cam)));
-  body.force(on.P_2, A).force(on.F_2, A).force(on.R_32, C, FreeBodyPanel::Arrow::ends).force(on.R_12, A0);
+  constexpr double one_to_five = 200;  // mm a metre: its polygon is to be seen
+  body.at_most(one_to_five)
+      .force(on.P_2, A)
+      .force(on.F_2, A)
+      .force(on.R_32, C, FreeBodyPanel::Arrow::ends)
+      .force(on.R_12, A0);
   if (const auto M = s.value("M_m")) body.couple("$\\it{M}_{m}$", A0, *M);
-  body.moments({"The cam cut free. Moments about $A_{0}$: $\\it{M}_{m}$ balances those of $\\vec{\\it{P}}_{2}$, arm "
+  body.moments({"The cam cut free, with $\\vec{\\it{R}}_{32}$ = −$\\vec{\\it{R}}_{23}$. Moments about $A_{0}$: "
+                "$\\it{M}_{m}$ balances those of $\\vec{\\it{P}}_{2}$, arm "
                 "$d_{2}$, and $\\vec{\\it{R}}_{32}$, arm $d_{32}$.",
-                "La camma isolata. Momenti in $A_{0}$: $\\it{M}_{m}$ equilibra quelli di $\\vec{\\it{P}}_{2}$, "
+                "La camma isolata, con $\\vec{\\it{R}}_{32}$ = −$\\vec{\\it{R}}_{23}$. Momenti in $A_{0}$: "
+                "$\\it{M}_{m}$ equilibra quelli di $\\vec{\\it{P}}_{2}$, "
                 "braccio $d_{2}$, e di $\\vec{\\it{R}}_{32}$, braccio $d_{32}$."},
                A0);
   return body;
@@ -157,7 +191,7 @@ FreeBodyPanel cam_cut_free(const Solution& s, const Forces& on) {
 // Enlarged, as the arms are short beside the disc, and nearly of one direction. On its line of action a force may
 // stand anywhere: here both stand at A.
 FreeBodyPanel arms_enlarged(const Solution& s, const Forces& on) {
-  constexpr double below = -7;  // mm, of the one dimension line
+  constexpr double beside = 7;  // mm, of the one dimension line
   const Place A0 = s.place("A0"), A = s.place("A_at");
   Mechanism drawn;
   drawn.point("A0", A0, Mechanism::Joint::hinge, "$A_{0}$").point("A", A, Mechanism::Joint::mass, "$A$");
@@ -165,43 +199,63 @@ FreeBodyPanel arms_enlarged(const Solution& s, const Forces& on) {
   FreeBodyPanel detail(std::make_shared<const Mechanism>(std::move(drawn)));
   detail.force(on.P_2, A).force(on.R_32, A, FreeBodyPanel::Arrow::ends);
   const bool is_kept = s.value("R_23").has_value();
+  const auto foot = [&](const PolygonSide& force) {
+    return A + (dot(A0 - A, force.v) / dot(force.v, force.v)) * force.v - A0;
+  };
   const auto add = [&](const PolygonSide& force, const char* letters, const char* quantity, double left) {
     detail.arm(A0, A, force.v, letters, is_kept ? quantity : "", left);
   };
-  add(on.P_2, "$d_{2}$", "d_2", A.x > A0.x ? below : -below);
-  add(on.R_32, "$d_{32}$", "d_32", 0);
+  add(on.P_2, "$d_{2}$", "d_2", 0);
+  // On the side away from the other.
+  const bool is_left = is_kept && cross(foot(on.P_2), foot(on.R_32)) > 0;
+  add(on.R_32, "$d_{32}$", "d_32", is_left ? beside : -beside);
   detail.step(
       {"The arms enlarged: square to both lines of action.", "I bracci ingranditi: normali alle due rette d'azione."},
       A);
   return detail;
 }
 
+// Whether the cam would have to pull, and what would keep it from that.
+Result contact(const Solution& s, Language language) {
+  const Words lost{
+      "Contact is lost: to close the polygons the cam would have to pull the follower. It cannot, and the follower "
+      "leaves it, unless $\\it{P}$ is at least $\\it{P}_{0}$.",
+      "Il contatto si perde: per chiudere i poligoni la camma dovrebbe tirare il cedente. Non può, e il cedente la "
+      "lascia, se $\\it{P}$ non è almeno $\\it{P}_{0}$."};
+  return remark(s.value("R_23") ? "" : lost.in(language));
+}
+std::vector<std::string> kept_by(const Solution& s) {
+  if (s.value("R_23")) return {};
+  return {"P_kept"};
+}
+
 }  // namespace
 
 PanelSheet forces_sheet(const Solution& s, Language language) {
   const Forces on = forces(s);
-  const bool is_kept = s.value("R_23").has_value();
-  const Words lost{
-      "Contact is lost: to close these polygons the cam would have to pull the follower. It cannot, and the follower "
-      "leaves it, unless $\\it{P}$ is at least $\\it{P}_{0}$.",
-      "Il contatto si perde: per chiudere questi poligoni la camma dovrebbe tirare il cedente. Non può, e il cedente "
-      "la lascia, se $\\it{P}$ non è almeno $\\it{P}_{0}$."};
+  return {.panels = panels(follower_cut_free(s, on),
+                           PolygonPanel(s, force_polygon("3", {on.R_13}, {on.P, on.P_3, on.F_3, on.R_23}))),
+          .results = {contact(s, language), values(kept_by(s)), values({"P_3", "F_3_in"}), values({"R_13", "R_23"})},
+          .seen = {"The follower cut free, and the polygon of its forces",
+                   "Il cedente isolato, e il poligono delle sue forze"},
+          .told = {"R_13", "R_23"},
+          .without_part = {"n_lift", "m_2"}};
+}
+
+PanelSheet torque_sheet(const Solution& s, Language language) {
+  const Forces on = forces(s);
   const Words work{
       "Virtual work: $\\it{M}_{m}ω_{2}$ = $\\it{P}_{2}v_{Ay}$ + ($\\it{P}$ + $\\it{P}_{3}$ − "
       "$\\it{F}^{in}_{3}$)$v_{B3}$, upward velocities positive. $\\vec{\\it{F}}^{in}_{2}$ does none.",
       "Lavori virtuali: $\\it{M}_{m}ω_{2}$ = $\\it{P}_{2}v_{Ay}$ + ($\\it{P}$ + $\\it{P}_{3}$ − "
       "$\\it{F}^{in}_{3}$)$v_{B3}$, velocità positive in su. $\\vec{\\it{F}}^{in}_{2}$ non lavora."};
-  return {.panels = panels(follower_cut_free(s, on),
-                           PolygonPanel(s, force_polygon("3", {on.R_13}, {on.P, on.P_3, on.F_3, on.R_23})),
-                           cam_cut_free(s, on), arms_enlarged(s, on),
+  return {.panels = panels(cam_cut_free(s, on), arms_enlarged(s, on),
                            PolygonPanel(s, force_polygon("2", {on.R_12}, {on.R_32, on.P_2, on.F_2}))),
-          .results = {remark(is_kept ? "" : lost.in(language)),
-                      values(is_kept ? std::vector<std::string>{} : std::vector<std::string>{"P_kept"}),
-                      values({"P_3", "P_2"}), values({"F_3_in", "F_2_in"}), values({"R_13", "R_23", "R_12"}),
+          .results = {contact(s, language), values(kept_by(s)), values({"P_2", "F_2_in"}), values({"R_23", "R_12"}),
                       values({"d_2", "d_32", "M_m"}), remark(work.in(language)), values({"M_m_virtual_work"})},
-          .seen = {"Follower and cam cut free, and the polygons of their forces",
-                   "Cedente e camma isolati, e i poligoni delle loro forze"},
-          .told = {"R_13", "R_23", "R_12", "M_m"},
+          .seen = {"The cam cut free with the arms of its forces, and their polygon",
+                   "La camma isolata con i bracci delle sue forze, e il loro poligono"},
+          .told = {"R_12", "M_m"},
           .without_part = {"n_lift"}};
 }
 

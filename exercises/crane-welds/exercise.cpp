@@ -71,13 +71,26 @@ PanelSheet flow_sheet(const Solution& s, Language language) {
           .without_part = without({"b", "sigma_amm", "f", "f_1", "f_2"})};
 }
 
-PanelSheet throat_sheet(const Solution& s, Language) {
+// Whether a check holds: `what`, with the letter of its utilisation.
+Result verdict(const Solution& s, const Words& what, const std::string& utilisation, Language language) {
+  const auto excess = s.value(utilisation + "_excess");
+  const std::string u = s.described(utilisation).symbol;
+  const Words found = excess && *excess <= 0
+                          ? Words{" holds, as " + u + " ≤ 1.", " vale, poiché " + u + " ≤ 1."}
+                          : Words{" does not hold, as " + u + " > 1.", " non vale, poiché " + u + " > 1."};
+  return remark((what + found).in(language));
+}
+const Words of_throats{"The check of the throats", "La verifica delle sezioni di gola"};
+
+PanelSheet throat_sheet(const Solution& s, Language language) {
   return {.panels = panels(ThroatPanel(metres(s, "s_1"), metres(s, "b"), s["a"])),
-          .results = {values({"q"}), workshop_values({"a", "tau_fillet"})},
+          .results = {values({"q"}), workshop_values({"a", "tau_fillet"}), workshop_values({"fillet_allowable_1"}),
+                      values({"fillet_throat_utilisation"}),
+                      verdict(s, of_throats, "fillet_throat_utilisation", language)},
           .seen = {"The joint with its two fillets and their throat",
                    "Il giunto con i due cordoni e la loro sezione di gola"},
           .told = {"q", "a", "tau_fillet"},
-          .without_part = without({"sigma_amm", "f", "f_1", "f_2"})};
+          .without_part = without({"f", "f_2"})};
 }
 
 PanelSheet mohr_sheet(const Solution& s, Language language) {
@@ -89,6 +102,7 @@ PanelSheet mohr_sheet(const Solution& s, Language language) {
                           .sigma_II = s["sigma_II"] / mega,
                           .sigma_letters = "$σ_{∥M}$",
                           .tau_letters = "$τ_{∥T}$",
+                          .direction_letters = "$φ_{I}$",
                           .sigma_name = "sigma_par_M",
                           .tau_name = "tau_par_T",
                           .sigma_I_name = "sigma_I",
@@ -96,12 +110,14 @@ PanelSheet mohr_sheet(const Solution& s, Language language) {
                           .radius_name = "Mohr_radius",
                           .centre_name = "Mohr_centre",
                           .equivalent_name = "sigma_eq"});
-  const Words check{"Full penetration: $σ_{eq}$ ≤ $σ_{ammW}$ = $fσ_{amm}$.",
-                    "Piena penetrazione: $σ_{eq}$ ≤ $σ_{ammW}$ = $fσ_{amm}$."};
+  const Words check{
+      "Full penetration is checked by $σ_{eq}$ against $σ_{ammW}$ = $fσ_{amm}$; $u$ is what it uses of that.",
+      "La piena penetrazione si verifica con $σ_{eq}$ contro $σ_{ammW}$ = $fσ_{amm}$; $u$ è quanto ne usa."};
   return {.panels = panels(circle),
           .results = {workshop_values({"Mohr_centre", "Mohr_radius"}), workshop_values({"sigma_I", "sigma_II"}),
                       values({"principal_direction"}), workshop_values({"sigma_eq", "sigma_eq_Jour"}),
-                      workshop_values({"sigma_amm_W", "full_penetration_utilisation"}), remark(check.in(language))},
+                      workshop_values({"sigma_amm_W", "full_penetration_utilisation"}), remark(check.in(language)),
+                      verdict(s, {"The check", "La verifica"}, "full_penetration_utilisation", language)},
           .seen = {"Mohr's circle of the web at the joint", "Il cerchio di Mohr dell'anima al giunto"},
           .told = {"Mohr_centre", "Mohr_radius", "sigma_I", "sigma_II", "principal_direction", "sigma_eq"},
           .without_part = without({"b", "f_1", "f_2"})};
@@ -122,7 +138,10 @@ PanelSheet sphere_sheet(const Solution& s, Language language) {
       .panels = panels(sphere),
       .results = {remark(points.in(language)), workshop_values({"fillet_stress_1", "fillet_allowable_1"}),
                   workshop_values({"fillet_stress_2", "fillet_allowable_2"}), values({"fillet_utilisation"}),
-                  workshop_values({"tau_fillet", "fillet_throat_utilisation"})},
+                  verdict(s, {"The check as the source has it", "La verifica della fonte"}, "fillet_utilisation",
+                          language),
+                  workshop_values({"tau_fillet", "fillet_throat_utilisation"}),
+                  verdict(s, of_throats, "fillet_throat_utilisation", language)},
       .seen = {"The truncated sphere of the fillet welds in the plane of τ and σ, with the points of the stresses",
                "La sfera troncata dei cordoni d'angolo nel piano di τ e σ, con i punti delle tensioni"},
       .told = {"fillet_stress_1", "fillet_allowable_1", "fillet_allowable_2", "tau_fillet"},

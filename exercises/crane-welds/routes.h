@@ -40,6 +40,13 @@ class Routes {
     ledger.put(quantity(name), value);
   }
 
+  // And whether it is above 1, which a sheet tells.
+  template <class T>
+  static void utilisation(Ledger<T>& ledger, const std::string& name, const std::function<T()>& find) {
+    ledger.put(quantity(name), find);
+    ledger.tells({name + "_excess", "", "1", {}}, [&] { return find() - T(1); });
+  }
+
   // The height of the right angle of two legs over the face of the fillet.
   template <class T>
   T throat() const {
@@ -116,8 +123,8 @@ class Routes {
     const T allowed = number<T>(welds_.f * welds_.sigma_amm);
     put<T>(ledger, "sigma_eq", [&] { return circle.equivalent(); });
     put<T>(ledger, "sigma_eq_Jour", [&] { return geometry::mohr_circle(sigma, jourawsky).equivalent(); });
-    put<T>(ledger, "full_penetration_utilisation",
-           [&] { return fourth_proportional<T>(allowed, T(1), circle.equivalent()); });
+    utilisation<T>(ledger, "full_penetration_utilisation",
+                   [&] { return fourth_proportional<T>(allowed, T(1), circle.equivalent()); });
     put(ledger, "Mohr_centre", circle.centre().x);
     put<T>(ledger, "Mohr_radius", [&] { return circle.radius(); });
     put<T>(ledger, "sigma_I", [&] { return circle.sigma_I(); });
@@ -134,8 +141,9 @@ class Routes {
     ledger.tells({"flange_pull", "$\\it{F}_{C}$", "N", {}}, [&] { return flow * number<T>(welds_.crane.L); });
     put<T>(ledger, "tau_fillet", on_throats);
     put<T>(ledger, "fillet_stress_1", [&] { return geometry::length(geometry::Vector<T>{T(0), mean}); });
-    put<T>(ledger, "fillet_utilisation", [&] { return fourth_proportional<T>(first, T(1), -mean); });
-    put<T>(ledger, "fillet_throat_utilisation", [&] { return fourth_proportional<T>(first, T(1), on_throats()); });
+    utilisation<T>(ledger, "fillet_utilisation", [&] { return fourth_proportional<T>(first, T(1), -mean); });
+    utilisation<T>(ledger, "fillet_throat_utilisation",
+                   [&] { return fourth_proportional<T>(first, T(1), on_throats()); });
   }
 
   // The shear flow from the forces of the flange: what it is pulled with at C and in the middle of BC, over the

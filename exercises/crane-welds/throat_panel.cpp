@@ -44,6 +44,9 @@ std::vector<drawings::Block> ThroatPanel::draw(Plot& plot, const drawings::Box& 
   plot.right_angle(foot(), corner(), {w + leg_, 0});
   plot.onto().sheet.figure.labels.push_back({.text = "$a$", .at = plot.at(corner()), .to = plot.at(foot())});
   plot.mark(drawings::Dimension{plot.at({w, -leg_}), plot.at({w + leg_, -leg_}), -6, "$b$"});
+  plot.segment({w + leg_, 0}, {w + leg_, -leg_}, Meaning::construction);
+  plot.mark(drawings::Dimension{plot.at({-w - leg_, 0}), plot.at({-w - leg_, -leg_}), -6, "$b$"});
+  plot.segment({-w - leg_, -leg_}, {-w, -leg_}, Meaning::construction);
   plot.mark(drawings::Dimension{plot.at({-w, -d}), plot.at({w, -d}), -6, "$s_{1}$"});
   plot.measures("a", corner(), foot());
   return {};

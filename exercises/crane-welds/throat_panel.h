@@ -23,8 +23,8 @@ class ThroatPanel : public Panel {
 
  private:
   // How far of the flange is drawn beside the web's middle, and of the web below the flange.
-  double beside() const { return wall_ / 2 + 2.2 * leg_; }
-  double below() const { return 2.2 * leg_; }
+  double beside() const { return wall_ / 2 + 1.5 * leg_; }
+  double below() const { return 1.5 * leg_; }
   Place corner() const { return {wall_ / 2, 0}; }
   Place foot() const;
 

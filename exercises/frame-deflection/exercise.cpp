@@ -66,7 +66,7 @@ SpaceDiagramPanel bending_panel(const Solution& s) {
       Words{
           "Bar 2: the arm is what is left of it, $\\it{M}_{f}$ = −$\\it{P}$·($\\it{L}_{1}$ + $\\it{L}_{2}$ − $ξ$).",
           "Barra 2: il braccio è quanto ne resta, $\\it{M}_{f}$ = −$\\it{P}$·($\\it{L}_{1}$ + $\\it{L}_{2}$ − $ξ$)."},
-      Words{"Bar 3 likewise: $\\it{M}_{f}$ = −$\\it{P}$·($\\it{L}_{1}$ + 2$\\it{L}_{2}$ − $ξ$), zero in $A$. All are "
+      Words{"Bar 3 likewise: $\\it{M}_{f}$ = −$\\it{P}$·($\\it{L}_{1}$ + 2$\\it{L}_{2}$ − $ξ$), zero at $A$. All are "
             "laid off on the side of the fibres in tension, positive below.",
             "Così la barra 3: $\\it{M}_{f}$ = −$\\it{P}$·($\\it{L}_{1}$ + 2$\\it{L}_{2}$ − $ξ$), nullo in $A$. Tutti "
             "si riportano dalla parte delle fibre tese, i positivi sotto."}};
@@ -98,15 +98,19 @@ SpaceDiagramPanel torsion_panel(const Solution& s) {
 }
 
 PanelSheet moments_sheet(const Solution& s, Language language) {
-  const Words axonometry{
+  const SpaceDiagramPanel bending = bending_panel(s);
+  const Words halved{
       "Lengths along $x$ and $z$ at scale, those along $y$ at 45° and halved; all ordinates upright.",
       "In scala le lunghezze lungo $x$ e $z$, a 45° e dimezzate quelle lungo $y$; tutte le ordinate in verticale."};
+  const Words whole{"All lengths at scale, those along $y$ at 45°; all ordinates upright.",
+                    "In scala tutte le lunghezze, a 45° quelle lungo $y$; tutte le ordinate in verticale."};
+  const Words& axonometry = bending.halves_depth() ? halved : whole;
   const Words axes{
       "$\\it{M}_{f}$ bends a bar and $\\it{M}_{t}$ twists it, whichever way it lies; the clamp's couples are "
       "about the drawn axes through $O$.",
       "$\\it{M}_{f}$ inflette la barra e $\\it{M}_{t}$ la torce, comunque sia disposta; le coppie "
       "dell'incastro sono intorno agli assi disegnati, per $O$."};
-  return {.panels = panels(bending_panel(s), torsion_panel(s)),
+  return {.panels = panels(bending, torsion_panel(s)),
           .results = {values({"R_O_z", "M_O_x", "M_O_y"}), values({"M_x_B_bar_1", "M_x_B_bar_2", "M_x_C_bar_3"}),
                       values({"M_z_bar_1", "M_z_bar_2", "M_z_bar_3"}), remark(axes.in(language)),
                       remark(axonometry.in(language))},
@@ -167,8 +171,8 @@ StrungBeamsPanel strung_panel(const Solution& s, Language language) {
 
 PanelSheet strings_sheet(const Solution& s, Language language) {
   return {.panels = panels(strung_panel(s, language)),
-          .results = {values({"J_x1", "J_x2"}), values({"alpha_1", "alpha_2", "alpha_3"}), values({"w_B"}),
-                      values({"delta_bending_2", "delta_bending_3"})},
+          .results = {workshop_values({"J_x1", "J_x2"}), values({"alpha_1", "alpha_2", "alpha_3"}),
+                      workshop_values({"w_B"}), workshop_values({"delta_bending_2", "delta_bending_3"})},
           .seen = {"Mohr's second funicular polygon of each bar, under its diagram of bending",
                    "Il secondo poligono funicolare di Mohr di ogni barra, sotto il diagramma della flessione"},
           .told = {"w_B", "delta_bending_2", "delta_bending_3"},
@@ -280,8 +284,8 @@ PanelSheet shares_sheet(const Solution& s, Language language) {
                 .steps = {mistake}}},
               "m")),
           .theory = {{{"Torsion of the rectangle", "Torsione del rettangolo"}, {remark(series.in(language))}}},
-          .results = {values({"J_t1", "J_p1"}), values({"J_x1", "J_x2", "J_p2"}), values({"U_1", "U_2", "U_3"}),
-                      values({"U", "delta_A"}), values({"delta_A_p"})},
+          .results = {workshop_values({"J_t1", "J_p1"}), workshop_values({"J_x1", "J_x2", "J_p2"}),
+                      values({"U_1", "U_2", "U_3"}), values({"U", "delta_A"}), values({"delta_A_p"})},
           .seen = {"The five shares of the deflection of A, with the torsion constant and as the source has them",
                    "Le cinque parti dell'abbassamento di A, con la costante di torsione e come le ha la fonte"},
           .told = {"delta_bending_1", "delta_torsion_1", "delta_bending_2", "delta_torsion_2", "delta_bending_3",

@@ -1,5 +1,6 @@
 // Pressures by graphical integration of the gradients: the table's column by Bezout's formula.
 #include <cmath>
+#include <functional>
 
 #include "exercises/kit/panels/integration_panel.h"
 #include "exercises/kit/panels/rounded.h"
@@ -13,6 +14,15 @@ namespace {
 
 // So many strips can be told apart; of a finer grid several are drawn as one, with the mean of their gradients.
 constexpr long most_drawn = 40;
+constexpr double pascals = 1e6;
+
+std::vector<double> in_mega(std::vector<double> values) {
+  for (double& value : values) value /= pascals;
+  return values;
+}
+std::function<double(double)> in_mega(const std::function<double(double)>& of) {
+  return [of](double x) { return of(x) / pascals; };
+}
 
 struct Strips {
   std::vector<double> ends, means, pressures;
@@ -51,7 +61,8 @@ std::vector<IntegrationRow::Read> read(const Solution& s, const Film& film, cons
     for (const long corner : strips.corners) {
       const std::string quantity = of_film(at_station("p_bezout", at.name).name);
       if (corner == 0 || film.dx * Rational(corner) != at.x || !s.has(quantity)) continue;
-      if (const auto value = s.value(quantity)) all.push_back({quantity, "", CGAL::to_double(at.x), *value});
+      if (const auto value = s.value(quantity))
+        all.push_back({quantity, "", CGAL::to_double(at.x), *value / pascals, pascals});
     }
   return all;
 }
@@ -78,16 +89,16 @@ PanelSheet integration_sheet(const Solution& s, Language language) {
                    "la media dei gradienti ai due estremi di ogni striscia"};
   return {.panels = panels(IntegrationPanel({.letters = "$x$", .unit = "m", .ends = strips.ends},
                                             {{.letters = "$p'$",
-                                              .unit = "Pa/m",
+                                              .unit = "MPa/m",
                                               .meaning = Meaning::locus,
-                                              .curve = along(film, &DeepWedge::gradient),
-                                              .carried = strips.means},
+                                              .curve = in_mega(along(film, &DeepWedge::gradient)),
+                                              .carried = in_mega(strips.means)},
                                              {.letters = "$p$",
-                                              .unit = "Pa",
+                                              .unit = "MPa",
                                               .meaning = Meaning::force,
                                               .id = "p-polygon",
-                                              .curve = along(film, &DeepWedge::pressure),
-                                              .corners = strips.pressures,
+                                              .curve = in_mega(along(film, &DeepWedge::pressure)),
+                                              .corners = in_mega(strips.pressures),
                                               .read = read(s, film, strips)}},
                                             mean)),
           .results = {values({of_film("p_max_bezout"), of_film("p_max")}),

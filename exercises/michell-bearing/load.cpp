@@ -218,7 +218,7 @@ class FunicularPanel : public Panel {
     all.insert(all.end(), vertices.begin(), vertices.end());
     all.push_back({on.length, geometry::ordinate(on.polygon.strings.back(), on.length)});
     for (std::size_t i = 1; i < all.size(); ++i)
-      plot.segment(from_mm(plot, all[i - 1]), from_mm(plot, all[i]), Meaning::link);
+      plot.segment(from_mm(plot, all[i - 1]), from_mm(plot, all[i]), Meaning::dimension);
     plot.in_step(Step::resultant);
     plot.segment(from_mm(plot, vertices.front()), meet, Meaning::construction);
     plot.segment(from_mm(plot, vertices.back()), meet, Meaning::construction);

@@ -191,6 +191,9 @@ PanelSheet velocities_sheet(const Solution& s, Language language) {
   }
   rows.push_back({"$u$($h$/2) (m/s)", {}, "–"});
   for (const CrossSection& each : at) rows.back().names.push_back(of_film(velocity_at(each.station, mid_film).name));
+  const bool runs_back =
+      std::any_of(profiles.begin(), profiles.end(), [](const VelocityProfile& each) { return each.runs_back(); });
+  const Words hatched{"Hatched: the film that runs back.", "A tratteggio: il fluido che torna indietro."};
   return {
       .panels = panels(chart(0), chart(1), chart(2)),
       .theory = {{{"Across the film", "Attraverso il meato"},
@@ -206,11 +209,12 @@ PanelSheet velocities_sheet(const Solution& s, Language language) {
                         language),
                    told({"The tangents at the walls have the slope $τ$/$μ$. It vanishes at the pad where $h$ = 3/2 "
                          "$h^{*}$ ($x_{0}$), at the moving wall where $h$ = 3/4 $h^{*}$ ($x_{h}$), if $n$ ≥ 2. "
-                         "Nearer to the inlet than $x_{0}$ the film runs back along the pad (hatched).",
+                         "Nearer to the inlet than $x_{0}$ the film runs back along the pad.",
                          "Le tangenti alle pareti hanno la pendenza $τ$/$μ$. Si annulla al pattino dove $h$ = 3/2 "
                          "$h^{*}$ ($x_{0}$), alla parete mobile dove $h$ = 3/4 $h^{*}$ ($x_{h}$), se $n$ ≥ 2. Più "
-                         "verso l'imbocco di $x_{0}$ il fluido torna indietro lungo il pattino (a tratteggio)."},
+                         "verso l'imbocco di $x_{0}$ il fluido torna indietro lungo il pattino."},
                         language),
+                   told(runs_back ? hatched : Words{}, language),
                    told({"$\\it{T}$ = $\\it{T}_{0}$ + $\\it{N}$ ($h_{1}$ − $h_{2}$)/$l$: the pad is inclined.",
                          "$\\it{T}$ = $\\it{T}_{0}$ + $\\it{N}$ ($h_{1}$ − $h_{2}$)/$l$: il pattino è inclinato."},
                         language)}}},

@@ -38,11 +38,7 @@ void read(std::vector<ChartPanel::Read>& onto, const Solution& s, double x, cons
 }
 double seconds(const std::string& name) { return nearest(instant(name)); }
 
-std::string in_seconds(const std::string& name, Language language) {
-  std::string number = name;
-  std::replace(number.begin(), number.end(), 'p', '.');
-  return decimal(number).in(language);
-}
+std::string in_milliseconds(const std::string& name) { return geometry::to_text(instant(name) * 1000); }
 std::vector<Row> rows(const std::vector<std::string>& instants_told, int units_of_a_second,
                       const std::string& case_name, const std::vector<std::string>& columns) {
   std::vector<Row> all;

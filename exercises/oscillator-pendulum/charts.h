@@ -40,8 +40,8 @@ void read(std::vector<ChartPanel::Read>& onto, const Solution& s, double x, cons
           const std::string& along_y);
 double seconds(const std::string& name);
 
-// Beside points of a chart.
-std::string in_seconds(const std::string& name, Language language);
+// Beside points of a chart: "300".
+std::string in_milliseconds(const std::string& name);
 // Rows of a table begin with a whole number, of seconds or of milliseconds.
 std::vector<Row> rows(const std::vector<std::string>& instants_told, int units_of_a_second,
                       const std::string& case_name, const std::vector<std::string>& columns);

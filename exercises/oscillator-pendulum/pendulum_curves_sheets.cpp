@@ -82,7 +82,7 @@ PhasePlanePanel pendulum_plane(const Solution& s, Language language) {
     const auto theta = s.value(pen(at("theta", name))), rate = s.value(pen(at("theta_dot", name)));
     if (!theta || !rate) continue;
     plane.read.push_back({{*theta, *rate}, pen(at("theta", name)), pen(at("theta_dot", name))});
-    plane.markers.push_back({.at = {*theta, *rate}, .label = in_seconds(name, language), .meaning = Meaning::locus});
+    plane.markers.push_back({.at = {*theta, *rate}, .label = in_milliseconds(name), .meaning = Meaning::locus});
   }
   for (const char* name : {"0p5", "1"}) {
     const auto theta = s.value(pen(at("theta_numeric", name))), rate = s.value(pen(at("theta_dot_numeric", name)));
@@ -144,13 +144,12 @@ PanelSheet pendulum_plane_sheet(const Solution& s, Language language) {
       over{"; it goes over the top", "; passa per il punto più alto"}, stop{". ", ". "};
   std::string rings;
   for (const char* name : {"0p5", "1"})
-    if (s.value(pen(at("theta_numeric", name))))
-      rings += (rings.empty() ? "" : ", ") + geometry::to_text(instant(name) * 1000) + " ms";
+    if (s.value(pen(at("theta_numeric", name)))) rings += (rings.empty() ? "" : ", ") + in_milliseconds(name) + " ms";
   const Words told_rings =
       rings.empty() ? Words{}
                     : format_words("Rings: its values after {}. ", "Anelli: i suoi valori dopo {}. ", rings);
   const Words orbit = closed + (run.gains_always ? winds : wavers) + (run.goes_over ? over + stop : stop) +
-                      told_rings + Words{"Numbers: $t$ in s.", "Numeri: $t$ in s."};
+                      told_rings + Words{"Numbers: $t$ in ms.", "Numeri: $t$ in ms."};
   return {.panels = panels(pendulum_plane(s, language)),
           .theory = {{{"The plane", "Il piano"}, {remark(orbit.in(language))}}},
           .results = {values(all_pen({"I_A0", "equivalent_length"})), values(all_pen({"Omega", "theta_dot_max"})),

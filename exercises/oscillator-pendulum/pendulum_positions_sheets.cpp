@@ -32,8 +32,7 @@ std::shared_ptr<const Mechanism> positions_of(const Solution& s, const std::stri
     const bool is_clear = std::all_of(lettered.begin(), lettered.end(),
                                       [&](double other) { return std::abs(*theta - other) > letters_wide; });
     if (is_clear) lettered.push_back(*theta);
-    drawn.point(point, place_of(r, *theta), Joint::none,
-                is_clear ? geometry::to_text(instant(name) * 1000) + " ms" : "");
+    drawn.point(point, place_of(r, *theta), Joint::none, is_clear ? in_milliseconds(name) + " ms" : "");
     drawn.other_position({"A0", point});
   }
   drawn.point("G", place_of(r, s[pen(at("theta", now))]), Joint::mass, "$G$").body({"A0", "G"}, 2);
@@ -161,22 +160,22 @@ HodographPanel hodograph_panel(const Solution& s, Language language) {
       return std::hypot(other.tip.x - *x, other.tip.y - *y) < one_point * longest;
     };
     const auto same = std::find_if(hodograph.instants.begin(), hodograph.instants.end(), is_there);
-    if (same != hodograph.instants.end() && !same->label.empty()) same->label += "; " + in_seconds(name, language);
+    if (same != hodograph.instants.end() && !same->label.empty()) same->label += "; " + in_milliseconds(name);
     const bool is_clear = std::all_of(lettered.begin(), lettered.end(), [&](const Place& other) {
       return std::hypot(other.x - *x, other.y - *y) > letters_wide * longest;
     });
     if (is_clear) lettered.push_back({*x, *y});
     hodograph.instants.push_back({.tip = {*x, *y},
-                                  .label = is_clear ? in_seconds(name, language) : "",
+                                  .label = is_clear ? in_milliseconds(name) : "",
                                   .along_x = pen(at("R_12_x", name)),
                                   .along_y = pen(at("R_12_y", name)),
                                   .with_arrow = name == "0" || name == "0p1" || name == "0p2" || name == "0p4",
                                   .letters = name == "0p2" ? "$\\vec{\\it{R}}_{12}$" : ""});
   }
   hodograph.steps = {{{"From the pole $\\it{O}$ the reaction at every instant, to one scale: its tip runs through "
-                       "the hodograph to and fro in one period. Numbers: $t$ in s.",
+                       "the hodograph to and fro in one period. Numbers: $t$ in ms.",
                        "Dal polo $\\it{O}$ la reazione a ogni istante, in una sola scala: il suo estremo percorre "
-                       "l'odografa, avanti e indietro in un periodo. Numeri: $t$ in s."},
+                       "l'odografa, avanti e indietro in un periodo. Numeri: $t$ in ms."},
                       Place{0, 0}}};
   return HodographPanel(std::move(hodograph));
 }
@@ -188,7 +187,7 @@ PanelSheet positions_sheet(const Solution& s, Language language) {
   const Words told{
       "Solid: the pendulum at $t$ = 200 ms; dashed: at the start and after 100, 300, 400, 500 ms. With d'Alembert's "
       "force $\\it{F}_{G}$ = −$m_{p}a_{G}$ the weight and the reaction of the frame are in equilibrium.",
-      "Continuo: il pendolo per $t$ = 200 ms; a tratti: alla partenza e dopo 100, 300, 400, 500 ms. Con la forza "
+      "Continuo: il pendolo per $t$ = 200 ms; tratteggiato: alla partenza e dopo 100, 300, 400, 500 ms. Con la forza "
       "d'inerzia $\\it{F}_{G}$ = −$m_{p}a_{G}$ il peso e la reazione del telaio sono in equilibrio."};
   return {
       .panels = panels(PositionsPanel(s, now), forces_panel(s, now, language)),

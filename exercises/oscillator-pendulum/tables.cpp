@@ -151,9 +151,9 @@ LongTable pendulum_table(const Solution& s) {
 PanelSheet oscillator_table_sheet(const Solution&, Language language) {
   const Words columns{
       "First the motion itself, then Euler's method: $x_{i+1}$ = $x_{i}$ + $x'_{i}$Δ$t$, $x'_{i+1}$ = $x'_{i}$ + "
-      "$x''_{i}$Δ$t$, $x''_{i}$ = −2$ζω_{n}x'_{i}$ − $ω_{n}^{2}x_{i}$. draw --format csv writes all digits.",
+      "$x''_{i}$Δ$t$, $x''_{i}$ = −2$ζω_{n}x'_{i}$ − $ω_{n}^{2}x_{i}$.",
       "Prima il moto esatto, poi il metodo di Eulero: $x_{i+1}$ = $x_{i}$ + $x'_{i}$Δ$t$, $x'_{i+1}$ = $x'_{i}$ + "
-      "$x''_{i}$Δ$t$, $x''_{i}$ = −2$ζω_{n}x'_{i}$ − $ω_{n}^{2}x_{i}$. draw --format csv scrive tutte le cifre."};
+      "$x''_{i}$Δ$t$, $x''_{i}$ = −2$ζω_{n}x'_{i}$ − $ω_{n}^{2}x_{i}$."};
   return {.theory = {{{"The columns", "Le colonne"}, {remark(columns.in(language))}}},
           .seen = {"The motion of the oscillator step by step: exact, and by Euler's method",
                    "Il moto dell'oscillatore passo per passo: esatto e con il metodo di Eulero"},
@@ -164,10 +164,10 @@ PanelSheet pendulum_table_sheet(const Solution&, Language language) {
   const Words columns{
       "First the motion itself, then the recursion $θ_{i+2}$ = 2$θ_{i+1}$ − $θ_{i}$ − $Ω^{2}$Δ$t_{p}^{2}$sin "
       "$θ_{i}$, $θ_{1}$ = $θ_{0}$, with its difference quotients $θ'_{i}$ = ($θ_{i+1}$ − $θ_{i}$)/Δ$t_{p}$, "
-      "$θ''_{i}$ = ($θ_{i+2}$ − 2$θ_{i+1}$ + $θ_{i}$)/Δ$t_{p}^{2}$. draw --format csv writes all digits.",
+      "$θ''_{i}$ = ($θ_{i+2}$ − 2$θ_{i+1}$ + $θ_{i}$)/Δ$t_{p}^{2}$.",
       "Prima il moto esatto, poi la formula ricorsiva $θ_{i+2}$ = 2$θ_{i+1}$ − $θ_{i}$ − $Ω^{2}$Δ$t_{p}^{2}$sen "
       "$θ_{i}$, $θ_{1}$ = $θ_{0}$, con i rapporti incrementali $θ'_{i}$ = ($θ_{i+1}$ − $θ_{i}$)/Δ$t_{p}$, $θ''_{i}$ "
-      "= ($θ_{i+2}$ − 2$θ_{i+1}$ + $θ_{i}$)/Δ$t_{p}^{2}$. draw --format csv scrive tutte le cifre."};
+      "= ($θ_{i+2}$ − 2$θ_{i+1}$ + $θ_{i}$)/Δ$t_{p}^{2}$."};
   return {.theory = {{{"The columns", "Le colonne"}, {remark(columns.in(language))}}},
           .seen = {"The motion of the pendulum step by step: exact, and by the recursion",
                    "Il moto del pendolo passo per passo: esatto e con la formula ricorsiva"},

@@ -63,10 +63,10 @@ IntegrationPanel panel(const Solution& s) {
 PanelSheet integration_sheet(const Solution& s, Language language) {
   const auto name = [](const char* quantity) { return std::string("graphical.") + quantity; };
   const Words poles{
-      "At the scales of the source (a centimetre is $u_{t}$, $u_{a}$, $u_{v}$, $u_{s}$) the poles stand at "
-      "$\\it{H}_{v}$ = $u_{v}$/$u_{t}u_{a}$ and $\\it{H}_{s}$ = $u_{s}$/$u_{t}u_{v}$ centimetres.",
-      "Alle scale della fonte (un centimetro vale $u_{t}$, $u_{a}$, $u_{v}$, $u_{s}$) i poli distano $\\it{H}_{v}$ = "
-      "$u_{v}$/$u_{t}u_{a}$ e $\\it{H}_{s}$ = $u_{s}$/$u_{t}u_{v}$ centimetri."};
+      "At the scales of the source, where a centimetre is $u_{t}$, $u_{a}$, $u_{v}$, $u_{s}$, the poles would stand "
+      "$\\it{H}_{v}$ = $u_{v}$/$u_{t}u_{a}$ and $\\it{H}_{s}$ = $u_{s}$/$u_{t}u_{v}$ centimetres from the axis:",
+      "Alle scale della fonte, dove un centimetro vale $u_{t}$, $u_{a}$, $u_{v}$, $u_{s}$, i poli disterebbero "
+      "$\\it{H}_{v}$ = $u_{v}$/$u_{t}u_{a}$ e $\\it{H}_{s}$ = $u_{s}$/$u_{t}u_{v}$ centimetri dall'asse:"};
   const bool are_above = s[name("off_v")] >= 0 && s[name("off_s")] >= 0;
   const Words distances = are_above
                               ? Words{"At their ends the polygons stand above the true curves by",
@@ -75,13 +75,13 @@ PanelSheet integration_sheet(const Solution& s, Language language) {
                                       "Agli estremi i poligoni stanno sopra (+) o sotto (−) le curve esatte di"};
   return {
       .panels = panels(panel(s)),
-      .results = {remark(poles.in(language)), values({name("pole_distance_v"), name("pole_distance_s")}),
-                  table({"", "$t_{1}$", "$t_{2}$", "$t_{3}$"},
+      .results = {table({"", "$t_{1}$", "$t_{2}$", "$t_{3}$"},
                         {{"$v_{g}$ (m/s)", {name("v_1"), name("v_2"), name("v_3")}},
                          {"$v$ (m/s)", {"v_1", "v_2", "v_3"}},
                          {"$s_{g}$ (m)", {name("s_1"), name("s_2"), name("s_3")}},
                          {"$s$ (m)", {"s_1", "s_2", "s_3"}}}),
-                  remark(distances.in(language)), values({name("off_v"), name("off_s")})},
+                  remark(distances.in(language)), values({name("off_v"), name("off_s")}), remark(poles.in(language)),
+                  values({name("pole_distance_v"), name("pole_distance_s")})},
       .seen =
           {"Acceleration, and below it velocity and space as integral polygons, each with the pole of its rays",
            "L'accelerazione e, sotto, velocità e spazio come poligoni integrali, ciascuno col polo dei suoi raggi"},

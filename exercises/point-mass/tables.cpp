@@ -20,6 +20,7 @@ struct Errors {
   std::string name, label;
   Meaning meaning;
   std::vector<std::vector<Datum>> runs;
+  std::vector<Words> of_runs;  // which rows
 };
 
 // As many as a curve needs.
@@ -29,8 +30,11 @@ constexpr std::size_t most_points = 400;
 Errors errors(const std::string& kind, const std::string& method, const std::vector<Rational>& numerical,
               const std::vector<Rational>& exact, const Rational& dt) {
   const std::string initial = method == "bezout" ? "B" : "S";
-  Errors of{
-      kind + "_" + method, "$" + kind + "_{" + initial + "}$", kind == "v" ? Meaning::velocity : Meaning::locus, {}};
+  Errors of{kind + "_" + method,
+            "$" + kind + "_{" + initial + "}$",
+            kind == "v" ? Meaning::velocity : Meaning::locus,
+            {},
+            {}};
   const std::size_t sums = method == "bezout" ? 1 : 2, step = sums * (numerical.size() / most_points + 1);
   for (std::size_t first = 0; first < sums; ++first) {
     std::vector<Datum> run;
@@ -39,13 +43,17 @@ Errors errors(const std::string& kind, const std::string& method, const std::vec
       const double error = std::abs(nearest((numerical[i] - exact[i]) / exact[i]));
       if (error > 0) run.push_back({nearest(dt * Rational(static_cast<long>(i))), error});
     }
-    if (!run.empty()) of.runs.push_back(run);
+    if (run.empty()) continue;
+    of.runs.push_back(run);
+    of.of_runs.push_back(sums == 1    ? Words{}
+                         : first == 0 ? Words{", even rows", ", righe pari"}
+                                      : Words{", odd rows", ", righe dispari"});
   }
   return of;
 }
 
 // Whole decades, of a few at least.
-SizedChart chart(const std::vector<Errors>& all, const std::string& letters, double end) {
+SizedChart chart(const std::vector<Errors>& all, const std::string& letters, double end, Language language) {
   double low = std::numeric_limits<double>::infinity(), high = 0;
   for (const Errors& each : all)
     for (const auto& run : each.runs)
@@ -64,8 +72,11 @@ SizedChart chart(const std::vector<Errors>& all, const std::string& letters, dou
              .high = std::pow(10.0, std::ceil(std::log10(high))),
              .scale = drawings::AxisScale::logarithmic};
   for (const Errors& each : all)
-    if (!each.runs.empty())
-      chart.curves.push_back({.name = each.name, .runs = each.runs, .meaning = each.meaning, .label = each.label});
+    for (std::size_t i = 0; i < each.runs.size(); ++i)
+      chart.curves.push_back({.name = each.name,
+                              .runs = {each.runs[i]},
+                              .meaning = each.meaning,
+                              .label = each.label + each.of_runs[i].in(language)});
   chart.letters_left = 15;
   return SizedChart(std::move(chart), {}, one_of_two_in_a_column);
 }
@@ -155,22 +166,20 @@ PanelSheet errors_sheet(const Solution& s, Language language) {
   }
   Panels all;
   all.push_back(std::make_unique<SizedChart>(
-      chart(right, Words{"|$ε$|, right tables", "|$ε$|, tabelle giuste"}.in(language), end)));
+      chart(right, Words{"|$ε$|, right tables", "|$ε$|, tabelle giuste"}.in(language), end, language)));
   std::vector<Section> theory{{{"The formulas", "Le formule"}, {remark(of_the_formulas(of).in(language))}}};
   if (s.givens().as_stated()) {
     for (const PrintedAgainstExact& column : printed_columns())
       printed.push_back(errors(column.kind, column.method, column.printed, column.exact, of.dt));
-    all.push_back(std::make_unique<SizedChart>(
-        chart(printed, Words{"|$ε$|, the source's tables", "|$ε$|, tabelle della fonte"}.in(language), end)));
+    all.push_back(std::make_unique<SizedChart>(chart(
+        printed, Words{"|$ε$|, the source's tables", "|$ε$|, tabelle della fonte"}.in(language), end, language)));
     const Words mistakes{
         "Below, the source's own table: worse nearly everywhere, mostly by several powers of ten. Its sums leave out "
         "the first strip (Bezout), and those of the velocities stand a row too high; or the first two "
-        "(Cavalieri-Simpson: its first three rows are zero). Every number of these columns follows from that; check "
-        "tells it row by row.",
+        "(Cavalieri-Simpson: its first three rows are zero). Every number of these columns follows from that.",
         "Sotto, la tabella della fonte: peggiore quasi ovunque, per lo più di varie potenze di dieci. Le sue somme "
         "tralasciano la prima striscia (Bezout), e quelle delle velocità stanno una riga troppo in alto; o le prime "
-        "due (Cavalieri-Simpson: le sue prime tre righe sono nulle). Ne segue ogni numero di queste colonne; check "
-        "lo dice riga per riga."};
+        "due (Cavalieri-Simpson: le sue prime tre righe sono nulle). Ne segue ogni numero di queste colonne."};
     theory.push_back({{"The source's table", "La tabella della fonte"}, {remark(mistakes.in(language))}});
   }
   const auto row = [](const std::string& kind, const std::string& method) {
@@ -211,11 +220,9 @@ LongTable long_table(const Solution& s) {
 PanelSheet table_sheet(const Solution&, Language language) {
   const Words columns{
       "First the motion itself, then $v_{B}$ and $s_{B}$ by Bezout's formula, $v_{S}$ and $s_{S}$ by "
-      "Cavalieri-Simpson's; $q$ = $mv$ and $\\it{E}$ = $mv^{2}$/2 of each velocity. draw --format csv writes all "
-      "digits.",
+      "Cavalieri-Simpson's; $q$ = $mv$ and $\\it{E}$ = $mv^{2}$/2 of each velocity.",
       "Prima il moto esatto, poi $v_{B}$ e $s_{B}$ con la formula di Bezout, $v_{S}$ e $s_{S}$ con quella di "
-      "Cavalieri-Simpson; $q$ = $mv$ ed $\\it{E}$ = $mv^{2}$/2 di ogni velocità. draw --format csv scrive tutte le "
-      "cifre."};
+      "Cavalieri-Simpson; $q$ = $mv$ ed $\\it{E}$ = $mv^{2}$/2 di ogni velocità."};
   return {.theory = {{{"The columns", "Le colonne"}, {remark(columns.in(language))}}},
           .seen = {"The motion step by step: exact, by Bezout's and by Cavalieri-Simpson's formula",
                    "Il moto passo per passo: esatto, con la formula di Bezout e con quella di Cavalieri-Simpson"},

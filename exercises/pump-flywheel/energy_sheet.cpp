@@ -58,6 +58,14 @@ Result on_flywheel(const Solution& s, const std::string& of, Language language) 
   return remark(words.in(language));
 }
 
+Words without_mass(const Solution& s) {
+  const Words left_out{"The reciprocating mass is left out, which is allowed while $mr^{2}$ is far below $\\it{J}'$",
+                       "Le masse alterne sono trascurate: è lecito finché $mr^{2}$ è molto minore di $\\it{J}'$"};
+  return left_out + (s["J_s_max_over_J_crank"] < 1 ? Words{".", "."}
+                                                   : Words{"; here it is not, and the sheets with the mass hold.",
+                                                           "; qui non lo è, e valgono le tavole con le masse."});
+}
+
 }  // namespace
 
 PanelSheet energy_sheet(const Solution& s, Language language) {
@@ -76,12 +84,14 @@ PanelSheet energy_sheet(const Solution& s, Language language) {
                                         .label = "Δ$\\it{T}_{2}$",
                                         .at = half_turn + second,
                                         .value = s["Delta_T_trough"]}})),
-          .results = {remark(off_the_curve.in(language)), values({"polygon_off_at_most"}), values({"M_r_mean"}),
-                      values({"alpha_1", "alpha_2"}), values({"Delta_T_suction_end"}),
-                      values({"Delta_T_peak", "Delta_T_trough"}), values({"Delta_T_max"}),
-                      remark("$\\it{J}'$ = Δ$\\it{T}_{max}$/($iω^{2}$)"), values({"J_crank", "J_motor_shaft"}),
-                      on_flywheel(s, "", language), values({"J_flywheel"}), values({"omega_max", "omega_min"}),
-                      values({"J_s_max_over_J_crank"})},
+          .results =
+              {remark(off_the_curve.in(language)), values({"polygon_off_at_most"}), values({"M_r_mean"}),
+               values({"alpha_1", "alpha_2"}), values({"alpha_1_deg", "alpha_2_deg"}),
+               values({"Delta_T_suction_end"}), values({"Delta_T_peak", "Delta_T_trough"}), values({"Delta_T_max"}),
+               remark("Δ$\\it{T}_{max}$ = Δ$\\it{T}_{1}$ − Δ$\\it{T}_{2}$, $\\it{J}'$ = Δ$\\it{T}_{max}$/($iω^{2}$)"),
+               values({"J_crank", "J_motor_shaft"}), on_flywheel(s, "", language), values({"J_flywheel"}),
+               values({"omega_max", "omega_min"}), remark(without_mass(s).in(language)),
+               values({"J_s_max_over_J_crank"})},
           .seen = {"The torque left over along the turn, and its integral polygon, the energy of the flywheel",
                    "Il momento eccedente lungo il giro e il suo poligono integrale, l'energia del volano"},
           .told = {"Delta_T_peak", "Delta_T_trough", "Delta_T_max", "J_crank", "J_flywheel"},
@@ -103,17 +113,20 @@ PanelSheet energy_with_mass_sheet(const Solution& s, Language language) {
       "over the turn it does no work, but it moves $β_{1}$ and $β_{2}$.",
       "Le masse alterne chiedono $\\it{M}_{s}$ sen 2$α$, $\\it{M}_{s}$ = $mr^{2}ω^{2}$/2, e lo restituiscono: nel "
       "giro non fanno lavoro, ma spostano $β_{1}$ e $β_{2}$."};
+  const Words cut_off{"With it the motor follows harmonics below $n'_{t}$ cycles per turn alone:",
+                      "Con esso il motore segue le sole armoniche sotto $n'_{t}$ cicli al giro:"};
   const std::string of = "reciprocating_mass.";
-  return {.panels = panels(std::move(panel)),
-          .results = {remark(off_the_curve.in(language)), values({of + "polygon_off_at_most"}),
-                      remark(mass.in(language)), values({"M_inertia_max", "J_s_max"}),
-                      values({of + "alpha_1", of + "alpha_2"}), values({of + "alpha_1_deg", of + "alpha_2_deg"}),
-                      values({of + "Delta_T_max"}), values({of + "J_crank", of + "J_motor_shaft"}),
-                      on_flywheel(s, of, language), values({of + "J_flywheel"}), values({of + "n_t_flywheel"})},
-          .seen = {"The torque left over with the reciprocating mass, and its integral polygon",
-                   "Il momento eccedente con le masse alterne e il suo poligono integrale"},
-          .told = {of + "alpha_1", of + "alpha_2", of + "Delta_T_max", of + "J_crank"},
-          .without_part = {"W_t", "n_0"}};
+  return {
+      .panels = panels(std::move(panel)),
+      .results = {remark(off_the_curve.in(language)), values({of + "polygon_off_at_most"}), remark(mass.in(language)),
+                  values({"M_inertia_max", "J_s_max"}), values({of + "alpha_1", of + "alpha_2"}),
+                  values({of + "alpha_1_deg", of + "alpha_2_deg"}), values({of + "Delta_T_max"}),
+                  values({of + "J_crank", of + "J_motor_shaft"}), on_flywheel(s, of, language),
+                  values({of + "J_flywheel"}), remark(cut_off.in(language)), values({of + "n_t_flywheel"})},
+      .seen = {"The torque left over with the reciprocating mass, and its integral polygon",
+               "Il momento eccedente con le masse alterne e il suo poligono integrale"},
+      .told = {of + "alpha_1", of + "alpha_2", of + "Delta_T_max", of + "J_crank"},
+      .without_part = {"W_t", "n_0"}};
 }
 
 }  // namespace epure::pump_flywheel

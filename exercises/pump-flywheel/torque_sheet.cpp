@@ -54,11 +54,11 @@ PanelSheet torque_sheet(const Solution& s, Language language) {
   const Words projection{
       "The mean line $\\it{M}_{m}$ = $\\it{L}_{r}$/2π leaves as much area above as is wanting below; from $β_{1}$ to "
       "$β_{2}$, counted from the start of delivery ($α$ = 180°), the pump asks for more than the motor gives.",
-      "La retta media $\\it{M}_{m}$ = $\\it{L}_{r}$/2π lascia tanta area sopra quanta ne manca sotto; da $β_{1}$ ad "
+      "La retta media $\\it{M}_{m}$ = $\\it{L}_{r}$/2π lascia tanta area sopra quanta ne manca sotto; da $β_{1}$ a "
       "$β_{2}$, contati dall'inizio della mandata ($α$ = 180°), la pompa chiede più di quanto dia il motore."};
   const Words in_suction{
       "In suction too: from $α_{1}$, where sin $α$ = $\\it{M}_{m}$/$\\it{F}_{a}r$, to $α_{2}$ = 180° − $α_{1}$.",
-      "Anche in aspirazione: da $α_{1}$, dove sen $α$ = $\\it{M}_{m}$/$\\it{F}_{a}r$, ad $α_{2}$ = 180° − $α_{1}$."};
+      "Anche in aspirazione: da $α_{1}$, dove sen $α$ = $\\it{M}_{m}$/$\\it{F}_{a}r$, a $α_{2}$ = 180° − $α_{1}$."};
   return {.panels = panels(panel),
           .results = {remark(projection.in(language)), remark(suction_exceeds ? in_suction.in(language) : ""),
                       values({"A_p", "V"}), values({"n_rpm", "omega"}), values({"F_a", "F_m"}),

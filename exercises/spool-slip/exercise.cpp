@@ -121,6 +121,101 @@ const std::array<Words, 3> regime_names{Words{"it stays at rest", "resta in quie
                                         Words{"it slips", "striscia"}};
 const Words& name_of(Regime regime) { return regime_names[static_cast<int>(regime)]; }
 
+// What the rope pulls with.
+Words rope_pull(const Solution& s) {
+  const bool rests = spool(s.givens()).regime(s.givens()["m_b"]) == Regime::at_rest;
+  const std::string pull = rests ? "$\\it{T}$ = $m_{b}g$" : "$\\it{T}$ = $m_{b}$($g$ − $a$)";
+  return {pull, pull};
+}
+
+const Words meets{
+    "Pull and inertia together act in a level line that crosses the vertical of $G$ in $\\it{H}$, $h_{r}$ above "
+    "the plane: the reaction's line passes there.",
+    "Tiro e inerzia insieme agiscono su una retta orizzontale che taglia la verticale di $G$ in $\\it{H}$, a "
+    "$h_{r}$ dal piano: vi passa la retta della reazione."};
+
+// The equations of the spool that give the acceleration with the rope's, and what comes out of them.
+std::vector<Result> how_it_moves(const Solution& s, Regime regime, Language language) {
+  const auto told = [&](const Words& words) { return remark(words.in(language)); };
+  const Result reaction = remark("$\\it{N}$ = $m_{a}g$, $u$ = $f_{v}\\it{R}$, $\\it{J}$ = $m_{a}\\it{R}^{2}$/4.");
+  if (regime == Regime::at_rest)
+    return {told(
+        {"Nothing moves: $\\it{F}$ = $\\it{T}$ = $m_{b}g$, and $\\it{N}$ = $m_{a}g$ stands where the moments "
+         "about $C$ balance.",
+         "Nulla si muove: $\\it{F}$ = $\\it{T}$ = $m_{b}g$, e $\\it{N}$ = $m_{a}g$ sta dove i momenti intorno a $C$ "
+         "si equilibrano."})};
+  if (regime == Regime::rolling)
+    return {
+        reaction,
+        told({"About $C$: $\\it{T}$($\\it{R}$ − $r$) = $m_{a}a'\\it{R}$ + $\\it{J}α$ + $\\it{N}u$.",
+              "Intorno a $C$: $\\it{T}$($\\it{R}$ − $r$) = $m_{a}a'\\it{R}$ + $\\it{J}α$ + $\\it{N}u$."}),
+        told({"It rolls: $α$ = $a'$/$\\it{R}$, $a$ = $ka'$, $k$ = ($\\it{R}$ − $r$)/$\\it{R}$. With $\\it{T}$ of the "
+              "counterweight:",
+              "Rotola: $α$ = $a'$/$\\it{R}$, $a$ = $ka'$, $k$ = ($\\it{R}$ − $r$)/$\\it{R}$. Con il $\\it{T}$ del "
+              "contrappeso:"}),
+        remark("$a'$ = $g$($km_{b}$ − $f_{v}m_{a}$)/(5$m_{a}$/4 + $k^{2}m_{b}$).")};
+  const Spool of = spool(s.givens());
+  const Rational offset = of.offset_while_slipping(s.givens()["m_b"]), most = of.f_v * of.R;
+  const Words along{"It slips, $\\it{F}$ = $f_{r}\\it{N}$. Level: $m_{a}a'$ = $\\it{T}$ − $\\it{F}$.",
+                    "Striscia, $\\it{F}$ = $f_{r}\\it{N}$. In orizzontale: $m_{a}a'$ = $\\it{T}$ − $\\it{F}$."};
+  if (CGAL::abs(offset) != most)
+    return {reaction, told(along),
+            told({"The rolling friction keeps it from turning: $α$ = 0, $a$ = $a'$.",
+                  "L'attrito volvente le impedisce di girare: $α$ = 0, $a$ = $a'$."})};
+  const std::string sign = offset == most ? " − " : " + ";
+  const std::string turning = "$\\it{J}α$ = $\\it{FR}$ − $\\it{T}r$" + sign + "$\\it{N}u$";
+  return {reaction, told(along),
+          told(Words{"About $G$: ", "Intorno a $G$: "} + Words{turning, turning} +
+               Words{". The rope: $a$ = $a'$ − $rα$.", ". La fune: $a$ = $a'$ − $rα$."}),
+          told({"With $\\it{T}$ of the counterweight these give $a'$, $α$ and $a$.",
+                "Con il $\\it{T}$ del contrappeso danno $a'$, $α$ e $a$."})};
+}
+
+// The counterweight cut free: its weight, the rope and, against its acceleration, its inertia, all in one line.
+FreeBodyPanel counterweight(const Solution& s) {
+  constexpr double one_to_ten = 100;  // mm a metre
+  const double side = 0.35 * given(s, "R");
+  Mechanism drawn;
+  const std::array<Place, 4> corners{{{-side, 0}, {-side, -2 * side}, {side, -2 * side}, {side, 0}}};
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    drawn.point("b" + std::to_string(i + 1), corners[i], Joint::corner, "");
+  drawn.point("rope", {0, 0}, Joint::none, "").point("b", {0, -side}, Joint::mass, "$m_{b}$");
+  drawn.body({"b1", "b2", "b3", "b4"});
+  FreeBodyPanel body(std::make_shared<const Mechanism>(std::move(drawn)));
+  body.at_most(one_to_ten)
+      .force({.label = "$m_{b}\\vec{g}$", .v = {0, -s["weight_b"]}}, {0, -side})
+      .force({.label = "−$m_{b}\\vec{a}$", .v = {0, s["a"]}}, {0, -side})
+      .force({.label = "$\\vec{\\it{T}}$", .v = {0, s["T"]}}, {0, 0});
+  body.step(Words{"The counterweight cut free: ", "Il contrappeso isolato: "} + rope_pull(s) + Words{".", "."},
+            {0, -side});
+  return body;
+}
+
+// The three forces on the spool that meet in H, where that is too near the plane for the spool's own scale.
+std::optional<FreeBodyPanel> contact_enlarged(const Solution& s, const Forces& on) {
+  constexpr double near = 0.1;  // of R
+  const Place foot = s.place("foot");
+  const auto height = s.value("resultant_height");
+  const double most = near * given(s, "R");
+  if (!height || foot.x == 0 || std::abs(*height) > most || std::abs(foot.x) > most) return {};
+  const Place H{0, *height};
+  const double half = 2 * std::max(std::abs(foot.x), std::abs(*height));
+  Mechanism drawn;
+  drawn.point("C", {0, 0}, Joint::none, "$C$")
+      .point("left", {-half, 0}, Joint::corner, "")
+      .point("right", {half, 0}, Joint::corner, "")
+      .body({"left", "right"});
+  FreeBodyPanel detail(std::make_shared<const Mechanism>(std::move(drawn)));
+  detail.force({.label = "$\\vec{\\it{T}}$ + $\\vec{\\it{F}}_{i}$", .v = on.T.v + on.inertia.v}, H)
+      .force(on.W, H, FreeBodyPanel::Arrow::ends)
+      .force(on.S, foot, FreeBodyPanel::Arrow::ends)
+      .arm({0, 0}, foot, {0, 1}, "$u$", "", foot.x > 0 ? -6 : 6)
+      .arm({-half, 0}, H, {1, 0}, "$h_{r}$", "")
+      .meeting("", "$\\it{H}$", H)
+      .step(meets, H);
+  return detail;
+}
+
 PanelSheet forces_sheet(const Solution& s, Language language) {
   const Forces on = forces(s, "", language);
   const Regime regime = spool(s.givens()).regime(s.givens()["m_b"]);
@@ -133,39 +228,40 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
   body.force(on.S, foot, FreeBodyPanel::Arrow::ends);
   if (regime == Regime::slipping) body.couple("−$\\it{J}α$", G, -s["alpha"]);
   const auto height = s.value("resultant_height");
-  if (height) body.meeting("", "$\\it{H}$", Place{0, *height});
+  const std::optional<FreeBodyPanel> contact = contact_enlarged(s, on);
   const double beside = 1.25 * G.y;  // clear of the spool
   if (rolls && on.inertia.is_drawn()) body.arm({-beside, 0}, line, {1, 0}, "$h_{i}$", "");
-  if (height) body.arm({beside, 0}, {0, *height}, {1, 0}, "$h_{r}$", "");
   const Words pressed{
-      "The reaction $\\it{S}$ of the plane, whose upright part is $\\it{N}$, starts $u$ ahead of the "
+      "The spool. The reaction $\\it{S}$ of the plane, whose upright part is $\\it{N}$, starts $u$ ahead of the "
       "foot of $G$.",
-      "La reazione $\\it{S}$ del piano, di cui $\\it{N}$ è la parte verticale, è spostata di $u$ oltre "
+      "La bobina. La reazione $\\it{S}$ del piano, di cui $\\it{N}$ è la parte verticale, è spostata di $u$ oltre "
       "il piede di $G$."};
   const Words single{
       "The force of inertia and its couple are one force, in the line at $h_{i}$ above the plane.",
       "La forza d'inerzia e la sua coppia sono una sola forza, sulla retta ad altezza $h_{i}$ dal piano."};
-  const Words meets{
-      "Pull and inertia together act in a level line that crosses the vertical of $G$ in $\\it{H}$, $h_{r}$ above "
-      "the plane: the reaction's line passes there.",
-      "Tiro e inerzia insieme agiscono su una retta orizzontale che taglia la verticale di $G$ in $\\it{H}$, a "
-      "$h_{r}$ dal piano: vi passa la retta della reazione."};
   body.step(pressed, foot);
   if (rolls) body.step(single, line);
-  if (height) body.step(meets, Place{0, *height});
+  if (height && !contact)
+    body.meeting("", "$\\it{H}$", Place{0, *height})
+        .arm({beside, 0}, {0, *height}, {1, 0}, "$h_{r}$", "")
+        .step(meets, Place{0, *height});
   const Words verdict =
       Words{"With this counterweight ", "Con questo contrappeso "} + name_of(regime) + Words{".", "."};
-  const Words not_to_scale{"On the spool the arrows show directions, in the polygon sizes too.",
-                           "Sulla bobina le frecce danno le direzioni, nel poligono anche le intensità."};
-  return {
-      .panels = panels(body, PolygonPanel(s, force_polygon("a", {on.S}, {on.W, on.T, on.inertia}))),
-      .results = {remark(not_to_scale.in(language)), remark(verdict.in(language)), values({"a", "a_G"}),
-                  values({"alpha", "T"}), values({"inertia_force", "inertia_couple"}), values({"N", "F"}),
-                  values({"ground_reaction", "ground_reaction_inclination"}),
-                  values({"inertia_force_height", "resultant_height"})},
-      .seen = {"The spool cut free, and the polygon of its forces", "La bobina isolata, e il poligono delle forze"},
-      .told = {"a", "a_G", "T", "F", "N"},
-      .without_part = {"m_b_heavy", "m_b_light"}};
+  const Words not_to_scale{"On the bodies the arrows show directions, in the polygon sizes too.",
+                           "Sui corpi le frecce danno le direzioni, nel poligono anche le intensità."};
+  Panels all = panels(counterweight(s), body);
+  if (contact) all.push_back(std::make_unique<FreeBodyPanel>(*contact));
+  all.push_back(std::make_unique<PolygonPanel>(s, force_polygon("a", {on.S}, {on.W, on.T, on.inertia})));
+  return {.panels = std::move(all),
+          .theory = {{{"How $a$ follows", "Come segue $a$"}, how_it_moves(s, regime, language)}},
+          .results = {remark(verdict.in(language)), values({"J", "u"}), values({"a", "a_G", "alpha"}),
+                      values({"T", "inertia_force", "inertia_couple"}), values({"N", "F"}),
+                      values({"ground_reaction", "ground_reaction_inclination"}),
+                      values({"inertia_force_height", "resultant_height"}), remark(not_to_scale.in(language))},
+          .seen = {"Counterweight and spool cut free, and the polygon of the spool's forces",
+                   "Il contrappeso e la bobina isolati, e il poligono delle forze della bobina"},
+          .told = {"a", "a_G", "T", "F", "N"},
+          .without_part = {"m_b_heavy", "m_b_light"}};
 }
 
 // The polygon of one counterweight, with the cone of friction about the vertical where the reaction starts.
@@ -188,8 +284,9 @@ ChainedPolygonsPanel with_cone(const Solution& s, const std::string& prefix, con
 PanelSheet cones_sheet(const Solution& s, Language language) {
   const Spool of = spool(s.givens());
   const auto so = [&](const std::string& symbol) { return name_of(of.regime(s.givens()[symbol])) + Words{".", "."}; };
-  const Words cone{"Dashed, the cone of friction about the vertical, with the half angle $φ_{a}$ = arctan $f_{a}$. ",
-                   "A tratti il cono d'attrito attorno alla verticale, di semiapertura $φ_{a}$ = arctan $f_{a}$. "};
+  const Words cone{
+      "Dashed, the cone of friction about the vertical, with the half angle $φ_{a}$ = arctan $f_{a}$. ",
+      "Tratteggiato, il cono d'attrito attorno alla verticale, di semiapertura $φ_{a}$ = arctan $f_{a}$. "};
   const Words main_slips{
       "$m_{b}$: it slips with $\\it{F}$ = $f_{r}\\it{N}$; not to slip it would take $\\it{F}^{*}$, outside of the "
       "cone.",
@@ -289,8 +386,8 @@ drawings::Chart chart(const Solution& s, const Shown& shown, Language language) 
   const double high =
       1.2 * (shown.is_detail ? needed(far)
                              : std::max({needed(far), std::min(f_a, 2 * needed(far)), edge < far ? f_r : 0.0}));
-  drawings::Chart of{.x = {.quantity = "$m_{b}$/$m_{a}$", .unit = "1", .low = 0, .high = far},
-                     .y = {.quantity = "$\\it{F}$/$\\it{N}$", .unit = "1", .low = 0, .high = high > 0 ? high : 1},
+  drawings::Chart of{.x = {.quantity = "$m_{b}$/$m_{a}$", .low = 0, .high = far},
+                     .y = {.quantity = "$\\it{F}$/$\\it{N}$", .low = 0, .high = high > 0 ? high : 1},
                      .curves = curves,
                      .horizontals = {{.at = f_a, .label = "$f_{a}$"}}};
   if (slip) of.verticals.push_back({.at = *slip, .label = "$μ_{s}$"});
@@ -341,9 +438,11 @@ PanelSheet limits_sheet(const Solution& s, Language language) {
       "In quiete $\\it{F}$ = $\\it{T}$ = $m_{b}g$, finché lo spostamento di $\\it{N}$ arriva a $u$: a $μ_{p}$ = "
       "$f_{v}\\it{R}$/($\\it{R}$ − $r$) comincia a rotolare."};
   const Words rolls{
-      "Rolling, with $μ$ = $m_{b}$/$m_{a}$: $\\it{F}$/$\\it{N}$ = ($μ$(5/4 − $k$ + $f_{v}k$) + $f_{v}$)/(5/4 + "
+      "Rolling, with $μ$ = $m_{b}$/$m_{a}$ and 5/4 = 1 + $\\it{J}$/$m_{a}\\it{R}^{2}$: $\\it{F}$/$\\it{N}$ = "
+      "($μ$(5/4 − $k$ + $f_{v}k$) + $f_{v}$)/(5/4 + "
       "$k^{2}μ$), which comes to $f_{a}$ at $μ_{s}$.",
-      "Nel rotolamento, con $μ$ = $m_{b}$/$m_{a}$: $\\it{F}$/$\\it{N}$ = ($μ$(5/4 − $k$ + $f_{v}k$) + $f_{v}$)/(5/4 "
+      "Nel rotolamento, con $μ$ = $m_{b}$/$m_{a}$ e 5/4 = 1 + $\\it{J}$/$m_{a}\\it{R}^{2}$: $\\it{F}$/$\\it{N}$ = "
+      "($μ$(5/4 − $k$ + $f_{v}k$) + $f_{v}$)/(5/4 "
       "+ $k^{2}μ$), che arriva a $f_{a}$ per $μ_{s}$."};
   const Words never{"It rolls however heavy the counterweight.", "Rotola per quanto pesi il contrappeso."};
   const Words before{"$\\it{F}$/$\\it{N}$ comes to $f_{a}$ at rest: it slips before it can roll.",

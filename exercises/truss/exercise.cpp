@@ -10,6 +10,7 @@ namespace {
 std::set<std::string> without_part(const Givens& givens) {
   std::set<std::string> all;
   if (!has_panels(shape_of(givens))) all.insert("n");
+  if (givens.angle("delta").turns == 0 && givens.angle("delta").radians == 0) all.insert("delta");
   if (givens["W"] == 0) all.merge(std::set<std::string>{"W", "beta"});
   return all;
 }

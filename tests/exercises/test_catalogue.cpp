@@ -154,17 +154,22 @@ TEST_CASE("printed numbers name a route of their exercise") {
   }
 }
 
-TEST_CASE("two scales of lengths at the foot of a sheet say which picture each is for") {
+TEST_CASE(
+    "two scales of lengths at the foot of a sheet say which picture each is for, more stand below the pictures") {
   look_at_sheets(Language::english, [](const DrawnSheet& drawn) {
     const double foot = drawings::drawing_area(drawn.sheet.paper).low.y + 10;
-    int of_lengths = 0, plain = 0;
+    int of_lengths = 0;
+    std::set<std::string> plain, in_figure;
+    for (const drawings::Label& label : drawn.sheet.figure.labels) in_figure.insert(label.text);
     for (const drawings::Mark& mark : drawn.sheet.figure.marks) {
       const auto* bar = std::get_if<drawings::ScaleBar>(&mark);
       if (!bar || bar->at.y > foot || bar->caption.find("≙") != std::string::npos) continue;
       ++of_lengths;
-      plain += says_only_a_ratio(bar->caption) ? 1 : 0;
+      if (says_only_a_ratio(bar->caption)) plain.insert(bar->caption);
     }
-    CHECK((of_lengths < 2 || plain == 0));
+    if (of_lengths < 2) return;
+    CHECK((of_lengths > 2 || plain.empty()));
+    CHECK(std::includes(in_figure.begin(), in_figure.end(), plain.begin(), plain.end()));
   });
 }
 

@@ -220,18 +220,6 @@ std::string size_word(const PlacedPanel& panel, const PlacedPanel& other, Langua
       .in(language);
 }
 
-// Which of more than two figures it is, from left to right.
-std::string place_in_row(const PlacedPanel& panel, const std::vector<const PlacedPanel*>& figures,
-                         Language language) {
-  const auto middle = [](const PlacedPanel& each) { return each.room.low.x + each.room.high.x; };
-  const auto count = [&](const auto& lies) { return std::count_if(figures.begin(), figures.end(), lies); };
-  if (count([&](const PlacedPanel* each) { return middle(*each) < middle(panel); }) == 0)
-    return Words{" left", " a sinistra"}.in(language);
-  if (count([&](const PlacedPanel* each) { return middle(*each) > middle(panel); }) == 0)
-    return Words{" right", " a destra"}.in(language);
-  return Words{" centre", " al centro"}.in(language);
-}
-
 // Where a sheet shows vectors of one unit at two scales, as it does forces, or beside some without any: whose this
 // one is.
 std::string whose(const PlacedPanel& panel, const std::vector<PlacedPanel>& panels, Language language) {
@@ -259,20 +247,27 @@ bool is_told_in_frames(const Scale& scale, const std::vector<PlacedPanel>& panel
   });
 }
 
-// Which of the figures it is, of all that differ in scale.
+// Which of two figures that differ in scale it is.
 std::string which_figure(const PlacedPanel& figure, const std::vector<const PlacedPanel*>& figures,
                          const std::vector<PlacedPanel>& panels, Language language) {
-  if (figures.size() < 2) return {};
-  if (figures.size() > 2) {
-    const std::string place = place_in_row(figure, figures, language);
-    const auto like = std::find_if(figures.begin(), figures.end(), [&](const PlacedPanel* each) {
-      return each != &figure && place_in_row(*each, figures, language) == place;
-    });
-    return like == figures.end() ? place : place + "," + position(figure, **like, language);
-  }
+  if (figures.size() != 2) return {};
   const PlacedPanel& other = *figures[&figure == figures[0] ? 1 : 0];
   return stand_apart(panels, figure, other) ? position(figure, other, language) : size_word(figure, other, language);
 }
+
+// Of more than two each has its scale below it.
+void write_scale_below(const PlacedPanel& figure, DrawnSheet& onto) {
+  constexpr double letters = 2.7, above_edge = 3;  // mm
+  const drawings::Box covered = figure.panel->extent_of_near(figure.lengths, figure.vectors);
+  const double middle = figure.origin.x + (covered.low.x + covered.high.x) / 2,
+               low = std::max(figure.origin.y + covered.low.y, figure.room.low.y + above_edge);
+  onto.sheet.figure.labels.push_back({.text = figure.lengths.caption,
+                                      .at = {middle, low},
+                                      .away_from = drawings::Point{middle, low + 1},
+                                      .size = letters});
+}
+
+bool is_close_up(const PlacedPanel& panel) { return dynamic_cast<const CloseUp*>(panel.panel) != nullptr; }
 
 // One bar for each scale: of lengths, with the figure it is of where they differ; then of vectors.
 void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const SheetRequest& request) {
@@ -285,6 +280,9 @@ void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const Sh
   std::vector<const PlacedPanel*> told_apart = figures;
   if (figures.size() > 2)
     std::erase_if(told_apart, [&](const PlacedPanel* each) { return is_told_in_frames(each->lengths, panels); });
+  if (told_apart.size() > 2)
+    for (const PlacedPanel& each : panels)
+      if (has_lengths(each) && !is_close_up(each)) write_scale_below(each, onto);
   std::vector<Scale> bars;
   std::vector<std::string> captions;  // the title block has no room for the words
   for (const PlacedPanel* figure : figures) {

@@ -13,34 +13,6 @@ constexpr double plan_air = 8;  // mm, for letters
 
 }  // namespace
 
-// Number and sign beside the line, where no other bar's lies on it and there is room for them.
-void ForcePlanPanel::sign_bar(Plot& plot, std::size_t bar) const {
-  constexpr std::size_t most_bars = 20;  // of more the truss above tells the signs
-  if (figure_->bars.size() > most_bars) return;
-  constexpr double shortest = 14, size = 2.5, apart = 0.3;  // mm
-  const auto ends = [&](std::size_t i) {
-    const auto& [left, right] = figure_->bow.sides[i];
-    return std::pair{plot.at(figure_->plan[left]), plot.at(figure_->plan[right])};
-  };
-  const drawings::Point p = ends(bar).first, q = ends(bar).second;
-  const double x = q.x - p.x, y = q.y - p.y, length = std::hypot(x, y);
-  if (length < shortest) return;
-  const auto from_line = [&](drawings::Point of) { return std::abs(x * (of.y - p.y) - y * (of.x - p.x)) / length; };
-  for (std::size_t i = 0; i < figure_->bars.size(); ++i) {
-    if (i == bar || figure_->bars[i].force == 0) continue;
-    const auto [r, s] = ends(i);
-    const double from = ((r.x - p.x) * x + (r.y - p.y) * y) / length,
-                 to = ((s.x - p.x) * x + (s.y - p.y) * y) / length;
-    const bool is_beside = std::max(from, to) <= apart || std::min(from, to) >= length - apart;
-    if (from_line(r) < apart && from_line(s) < apart && !is_beside) return;
-  }
-  plot.onto().sheet.figure.labels.push_back(
-      {.text = std::to_string(bar + 1) + TrussFigure::sign(figure_->bars[bar].force),
-       .at = p,
-       .to = q,
-       .size = size});
-}
-
 Panel::Vectors ForcePlanPanel::vectors() const {
   double longest = 0;
   for (const Place& P : figure_->plan)
@@ -69,7 +41,6 @@ std::vector<drawings::Block> ForcePlanPanel::draw(Plot& plot, const drawings::Bo
     plot.in_step(figure_->step_of_bar(i));
     plot.segment(P, Q, TrussFigure::meaning(bar.force), bar.quantity);
     plot.measures(bar.quantity, P, Q);
-    sign_bar(plot, i);
   }
   const auto ends_of = [&](std::size_t k) {
     return std::pair{figure_->plan[k], figure_->plan[(k + 1) % bow.forces.size()]};

@@ -22,8 +22,6 @@ class ForcePlanPanel : public Panel {
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
 
  private:
-  void sign_bar(Plot& plot, std::size_t bar) const;
-
   std::shared_ptr<const TrussFigure> figure_;
 };
 

@@ -53,6 +53,17 @@ double off_edges(const std::vector<drawings::Mark>& marks, const VectorOnPaper& 
   return inwards > 0 ? -clear : clear;
 }
 
+// How far aside an arrow stands that would lie on a link, mm: to its right.
+drawings::Point off_links(const std::vector<drawings::Mark>& marks, const VectorOnPaper& arrow) {
+  constexpr double clear = 2;  // mm
+  const std::vector<VectorOnPaper> links = straight_links(marks);
+  if (std::none_of(links.begin(), links.end(),
+                   [&](const VectorOnPaper& link) { return covered(arrow, link).has_value(); }))
+    return {0, 0};
+  const drawings::Point left = drawings::left_of(drawings::unit(arrow.first, arrow.second));
+  return {-clear * left.x, -clear * left.y};
+}
+
 // As far as H, or to the edge of the room, where letters say where it leads.
 void lead_to(Plot& plot, const drawings::Box& room, const Place& from, const Place& H, const std::string& letters,
              Language language, Meaning meaning) {
@@ -279,11 +290,15 @@ void FreeBodyPanel::draw_force(Plot& plot, const Force& force, Language language
   const double mm = plot.scale().mm_per_unit;
   const OnPaper arrow = on_paper(force, plot.vector_scale());
   const auto at = [&](double along) { return on_line(force.at, force.along, along, mm); };
-  if (unit_.empty())
-    plot.side("", at(arrow.tail), at(arrow.tip), Meaning::force, force.label);
-  else
+  if (unit_.empty()) {
+    const VectorOnPaper drawn{plot.at(at(arrow.tail)), plot.at(at(arrow.tip))};
+    const drawings::Point by = off_links(plot.onto().sheet.figure.marks, drawn);
+    const auto aside = [&](const drawings::Point& P) { return plot.from_paper({P.x + by.x, P.y + by.y}); };
+    plot.side("", aside(drawn.first), aside(drawn.second), Meaning::force, force.label);
+  } else {
     plot.vector_on(force.quantity, at(arrow.tail), force.size * force.along, Meaning::force,
                    letters_of(force, plot.vector_scale(), language));
+  }
   // Its line of action after it, and not beneath: a link that hides the arrow moves it aside.
   plot.segment(at(std::min(arrow.tail, 0.0) - line_beyond), at(arrow.tail), Meaning::construction);
   plot.segment(at(arrow.tip), at(std::max(arrow.tip, 0.0) + line_beyond), Meaning::construction);

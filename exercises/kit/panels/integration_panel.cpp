@@ -170,9 +170,8 @@ void IntegrationPanel::draw_axes(Plot& plot, std::size_t row, Language language)
   const auto title = [&](const std::string& letters, const std::string& unit) {
     return letters + (unit.empty() ? "" : " (" + unit + ")");
   };
-  // Left of the axis, where no strip ends, and above the rays' numbers.
-  const std::string name = title(rows_[row].letters, rows_[row].unit);
-  write(name, at(row, first, high) + Arrow2{-1.5 - drawings::measure(name, number_size).width, 3.6});
+  // Over the scale that it names.
+  write(title(rows_[row].letters, rows_[row].unit), at(row, last, high) + Arrow2{1, 3.6});
   if (row + 1 < rows_.size()) return;
   // The numbers are those of ticks under the strips, which have other widths: all ticks in one line with their axis.
   const double foot = at(row, first, low).y, below = foot - 4;
@@ -216,15 +215,18 @@ bool has_number(std::size_t strip, std::size_t strips) {
   return !are_many(strips) || (strip + 1) % every_numbered == 0;
 }
 
-// Whether a number can stand at the axis beside the ray of this height, on the side away from the pole's, where no
-// other ray comes so near. Of several at one height the first has it.
+// The numbers of rays stand so far from the axis of ordinates, mm: at it they would be taken for its values.
+constexpr double off_axis = 5;
+
+// Whether a number can stand on the ray of this height, on the side away from the pole's, where no other ray comes so
+// near. Of several at one height the first has it.
 bool is_free(const std::vector<double>& heights, std::size_t ray, double pole_distance) {
-  constexpr double room = 3.2, width = 4.5;  // mm
-  const double own = heights[ray];
+  constexpr double room = 3.2, width = 3.2;  // mm
+  const double right = 1 - off_axis / pole_distance, left = right - width / pole_distance, own = heights[ray];
   for (std::size_t i = 0; i < heights.size(); ++i) {
     if (heights[i] == own && i < ray) return false;
     const bool is_beyond = own < 0 ? heights[i] < own : heights[i] > own;
-    if (is_beyond && std::abs(heights[i]) * (1 - width / pole_distance) - std::abs(own) < room) return false;
+    if (is_beyond && std::abs(heights[i]) * left - std::abs(own) * right < room) return false;
   }
   return true;
 }
@@ -261,10 +263,10 @@ void IntegrationPanel::carry(Plot& plot, std::size_t row, Language language) con
     const double width = drawings::measure(number, number_size).width;
     const auto write = [&](Place from) { plot.mark(drawings::Writing{number, plot.at(from), number_size}); };
     if (!has_number(i, carried.size())) continue;
-    // At the head of the axis it would stand in the row of the strips' numbers.
-    const bool is_in_row = many && on_axis.y + apart + digit_height > head;
-    if (!is_in_row && is_free(heights, i, -pole.x))
-      write(on_axis + Arrow2{-apart - width, heights[i] < 0 ? -apart - digit_height : apart});
+    const Place on_ray = on_axis + off_axis / -pole.x * (pole - on_axis);
+    if (is_free(heights, i, -pole.x))
+      plot.mark(drawings::Writing{
+          number, plot.at(on_ray + Arrow2{-width, heights[i] < 0 ? -apart - digit_height : apart}), number_size});
     if (row > 0) continue;
     const double strip = (along_.ends[i + 1] - along_.ends[i]) * scales_[0].mm_per_unit;
     if (strip > (many ? widest : width) + apart)
@@ -328,28 +330,32 @@ std::vector<PanelStep> IntegrationPanel::steps(const Plot&, const drawings::Box&
     const Words of = i == 0 ? mean_
                             : Words{"the ordinate of the polygon in the middle of each strip",
                                     "l'ordinata del poligono a metà di ogni striscia"};
-    // What its numbers mean where not every strip has one.
+    const Words dashed{" Dashed, where it can be told apart, the true one.",
+                       " Tratteggiata, dove se ne distingue, la curva esatta."};
+    // Whose number a ray has.
     const Words numbered =
-        are_many(row.carried.size())
+        i > 0 ? Words{}
+        : are_many(row.carried.size())
             ? Words{" Every fifth strip has its number, and its ray the same where it finds room.",
                     " Una striscia su cinque ha il suo numero, e così il suo raggio dove c'è posto."}
-            : Words{};
+            : Words{" The rays that have room for it have their strip's number.",
+                    " I raggi che ne hanno lo spazio portano il numero della loro striscia."};
     all.push_back({format_words("{}: {} is carried to the axis of ordinates.",
-                                "{}: {} si riporta sull'asse delle ordinate.", row.letters, of) +
-                       numbered,
+                                "{}: {} si riporta sull'asse delle ordinate.", row.letters, of),
                    at(i, x, row.carried[middle])});
     all.push_back(
-        {format_words("From there rays run to the pole {}. Its distance in centimetres is the scale of {} (units "
-                      "per cm), divided by those of {} and of {}.",
-                      "Da lì i raggi vanno al polo {}. La sua distanza in centimetri è la scala di {} (unità "
-                      "per cm), divisa per quelle di {} e di {}.",
-                      pole, next.letters, along_.letters, row.letters),
+        {format_words(
+             "From there rays run to the pole {}, at the distance that is drawn: in centimetres the scale of "
+             "{} (units per cm), divided by those of {} and of {}.",
+             "Da lì i raggi vanno al polo {}, alla distanza quotata: in centimetri la scala di {} (unità per "
+             "cm), divisa per quelle di {} e di {}.",
+             pole, next.letters, along_.letters, row.letters) +
+             numbered,
          Place{-pole_distance(i) / 2, axes_[i]}});
     all.push_back(
-        {format_words(
-             "{}: in each strip parallel to its ray, from corner to corner. Dashed, the true one.",
-             "{}: in ogni striscia parallela al suo raggio, di vertice in vertice. A tratti, la curva esatta.",
-             next.letters),
+        {format_words("{}: in each strip parallel to its ray, from corner to corner.",
+                      "{}: in ogni striscia parallela al suo raggio, di vertice in vertice.", next.letters) +
+             (i > 0 ? Words{} : dashed),
          // Among many strips a number's leader would cross the axis' numbers: it stands where the polygon begins.
          are_many(along_.ends.size() - 1) ? at(i + 1, along_.ends.front(), next.corners.front())
                                           : at(i + 1, x, (next.corners[middle] + next.corners[middle + 1]) / 2)});

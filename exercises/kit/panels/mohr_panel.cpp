@@ -1,6 +1,7 @@
 #include "exercises/kit/panels/mohr_panel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace epure {
@@ -11,6 +12,10 @@ constexpr double mohr_letters = 9, mohr_longest = 120;  // mm
 }  // namespace
 
 Place MohrPanel::tip() const { return {centre().x, std::numbers::sqrt3 * radius()}; }
+
+std::vector<Place> MohrPanel::lettered() const {
+  return {{of_.sigma, of_.tau}, {0, -of_.tau}, {of_.sigma, -of_.tau}, {of_.sigma_I, 0}, {of_.sigma_II, 0}, {0, 0}};
+}
 
 Panel::Vectors MohrPanel::vectors() const { return {of_.unit, of_.sigma_I - of_.sigma_II, mohr_longest}; }
 
@@ -38,13 +43,27 @@ void MohrPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
   plot.label("$τ$", {0, high + 6 / mm}, O);
 }
 
+// The face on which σ_I acts, drawn on beyond the circle, and how far it is turned from the face across.
+void MohrPanel::draw_direction(Plot& plot, const Place& X, const Place& pole, const Place& I) const {
+  constexpr double beyond = 30, at_end = 4;  // mm
+  const double to_I = distance(pole, I);
+  if (to_I == 0 || distance(pole, X) == 0) return;
+  const double mm = plot.scale().mm_per_unit, along = direction(pole, I), across = direction(pole, X);
+  plot.segment(pole, pole + (1 + beyond / (to_I * mm)) * (I - pole), Meaning::construction);
+  if (of_.direction_letters.empty()) return;
+  const double radius = to_I * mm + beyond - at_end, middle = (along + across) / 2;
+  plot.segment(X, pole + radius / (distance(pole, X) * mm) * (X - pole), Meaning::construction);
+  plot.mark(drawings::AngleMark{plot.at(pole), radius, std::min(along, across), std::max(along, across)});
+  plot.small_label(of_.direction_letters, pole + radius / mm * Arrow2{std::cos(middle), std::sin(middle)}, pole);
+}
+
 std::vector<drawings::Block> MohrPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   const Place O{0, 0}, X{of_.sigma, of_.tau}, Y{0, -of_.tau}, pole{of_.sigma, -of_.tau}, C = centre();
   const Place I{of_.sigma_I, 0}, II{of_.sigma_II, 0};
   draw_given(plot, room, language);
   plot.circle(C, radius(), Meaning::locus);
   plot.segment(X, Y, Meaning::construction);
-  plot.segment(pole, I, Meaning::construction);
+  draw_direction(plot, X, pole, I);
   plot.segment(pole, X, Meaning::construction);
   plot.segment(II, tip(), Meaning::construction);
   plot.segment(I, tip(), Meaning::construction);
@@ -55,7 +74,7 @@ std::vector<drawings::Block> MohrPanel::draw(Plot& plot, const drawings::Box& ro
   for (const Place& P : {I, II}) plot.cross(P, Meaning::force);
   plot.label("$X$", X, C);
   plot.label("$Y$", Y, C);
-  plot.label("$C$", C, tip());
+  plot.label("$c$", C, tip());
   plot.label("$\\it{P}$", pole, C);
   plot.label("$σ_{I}$", I, C, Meaning::force);
   plot.label("$σ_{II}$", II, C, Meaning::force);
@@ -82,10 +101,10 @@ std::vector<PanelStep> MohrPanel::steps(const Plot&, const drawings::Box&) const
             "Il polo $\\it{P}$: da $X$ la parallela alla faccia trasversale. Da $\\it{P}$ a $σ_{I}$: la giacitura su "
             "cui agisce la $σ_{I}$."},
            Place{of_.sigma, -of_.tau}},
-          {{"The equilateral triangle over $σ_{II}σ_{I}$: its tip is $σ_{eq}$ = √($c^{2}$ + 3$r^{2}$) from the "
-            "origin (von Mises).",
-            "Il triangolo equilatero su $σ_{II}σ_{I}$: il vertice dista dall'origine $σ_{eq}$ = √($c^{2}$ + "
-            "3$r^{2}$) (von Mises)."},
+          {{"The equilateral triangle over $σ_{II}σ_{I}$: its tip is $σ_{eq}$ from the origin, "
+            "$σ_{eq}^{2}$ = $σ_{I}^{2}$ − $σ_{I}σ_{II}$ + $σ_{II}^{2}$ (von Mises).",
+            "Il triangolo equilatero su $σ_{II}σ_{I}$: il vertice dista dall'origine $σ_{eq}$, "
+            "$σ_{eq}^{2}$ = $σ_{I}^{2}$ − $σ_{I}σ_{II}$ + $σ_{II}^{2}$ (von Mises)."},
            tip()}};
 }
 

@@ -13,18 +13,27 @@ constexpr double title_above = 26;                                              
 constexpr double arrow_length_of_load = 14, half_support = 7, space_letters = 8;  // mm
 constexpr double axis_length = 11, axes_left = 17;  // mm, of the three axes beside the clamp
 
-Place projected(const SpacePoint& P) {
-  const double oblique = std::numbers::sqrt2 / 4;
-  return {P.x + oblique * P.y, P.z + oblique * P.y};
+}  // namespace
+
+bool SpaceDiagramPanel::is_deep() const {
+  double long_ = 0, deep = 0;
+  for (const SpaceBar& bar : bars_) {
+    long_ = std::max(long_, std::abs(bar.to.x - bar.from.x));
+    deep = std::max(deep, std::abs(bar.to.y - bar.from.y));
+  }
+  return 2 * deep >= long_;
 }
 
-}  // namespace
+Place SpaceDiagramPanel::projected(const SpacePoint& P) const {
+  const double oblique = std::numbers::sqrt2 / (halves_depth_ ? 4 : 2);
+  return {P.x + oblique * P.y, P.z + oblique * P.y};
+}
 
 Place SpaceDiagramPanel::node(std::size_t i) const {
   return i == 0 ? projected(bars_.front().from) : projected(bars_[i - 1].to);
 }
 
-Place SpaceDiagramPanel::on_bar(const SpaceBar& bar, double part) {
+Place SpaceDiagramPanel::on_bar(const SpaceBar& bar, double part) const {
   const Place from = projected(bar.from), to = projected(bar.to);
   return from + part * (to - from);
 }

@@ -34,7 +34,14 @@ class SpaceDiagramPanel : public Panel {
   // nodes.
   SpaceDiagramPanel(std::vector<SpaceBar> bars, std::vector<std::string> letters, std::string moment,
                     Positive positive)
-      : bars_(std::move(bars)), letters_(std::move(letters)), moment_(std::move(moment)), positive_(positive) {}
+      : bars_(std::move(bars)),
+        letters_(std::move(letters)),
+        moment_(std::move(moment)),
+        positive_(positive),
+        halves_depth_(is_deep()) {}
+
+  // Lengths along y are drawn at 45°, halved; but whole where the chain is long for its depth.
+  bool halves_depth() const { return halves_depth_; }
 
   double reach() const override;
   std::string scale_group() const override { return "frame"; }
@@ -45,9 +52,11 @@ class SpaceDiagramPanel : public Panel {
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
 
  private:
+  bool is_deep() const;
+  Place projected(const SpacePoint& P) const;
   Place node(std::size_t i) const;
   // At this part of the bar; and the tip of the ordinate there.
-  static Place on_bar(const SpaceBar& bar, double part);
+  Place on_bar(const SpaceBar& bar, double part) const;
   Place tip(const SpaceBar& bar, std::size_t ordinate, double metres_per_unit) const;
   void write_ordinate(Plot& plot, const SpaceBar& bar, std::size_t ordinate, Language language) const;
   void draw_diagram(Plot& plot, const SpaceBar& bar, Language language) const;
@@ -57,6 +66,7 @@ class SpaceDiagramPanel : public Panel {
   std::vector<std::string> letters_;
   std::string moment_;
   Positive positive_;
+  bool halves_depth_;
 };
 
 }  // namespace epure

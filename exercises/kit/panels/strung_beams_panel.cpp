@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exercises/kit/panels/results.h"
 #include "exercises/kit/panels/sheet.h"
 
 namespace epure {
@@ -113,7 +114,8 @@ void StrungBeamsPanel::draw_diagram(Plot& plot, const StrungBeam& beam, double l
     const double away = beam.moments[i] > 0 ? mm : -mm;
     plot.label(letters[i], feet[i], feet[i] + Arrow2{i == 0 ? 2 * mm : -2 * mm, -away});
     if (beam.moments[i] != 0)
-      plot.small_label(figures(beam.moments[i], 4, language), tips[i], feet[i], Meaning::force);
+      plot.small_label(figures(beam.moments[i], 4, language) + unit_after_number("N m", language), tips[i], feet[i],
+                       Meaning::force);
   }
   for (int i : {0, 1}) {
     if (beam.weights[i] == 0) continue;

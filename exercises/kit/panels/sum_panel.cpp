@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exercises/kit/panels/results.h"
 #include "exercises/kit/panels/sheet.h"
 
 namespace epure {
@@ -53,10 +54,10 @@ void SumPanel::draw_sum(Plot& plot, const Sum& sum, double top, int first_step, 
     const double middle = plot.at({0, y / mm}).y;
     plot.mark(drawings::Writing{text.in(language), {names_at + from, middle - letters_size / 3}, letters_size});
   };
-  const auto bar = [&](const Part& part, double from, double to, double y, const std::string& unit = {}) {
+  const auto bar = [&](const Part& part, double from, double to, double y) {
     write(part.name, indent, y);
     plot.side("", at(from, y), at(to, y), Meaning::force,
-              figures(part.value, 4, language) + (unit.empty() ? "" : "\u00a0" + unit));
+              figures(part.value, 4, language) + unit_after_number(unit_, language));
     if (!part.quantity.empty()) plot.measures_abscissa(part.quantity, at(to, y), at(from, y));
   };
   write(sum.name, 0, top - bar_row / 2);
@@ -70,7 +71,7 @@ void SumPanel::draw_sum(Plot& plot, const Sum& sum, double top, int first_step, 
     y -= bar_row;
   }
   plot.in_step(first_step + std::max(static_cast<int>(sum.steps.size()) - 1, 0));
-  bar(sum.whole, 0, reached, y, unit_);
+  bar(sum.whole, 0, reached, y);
 }
 
 std::vector<drawings::Block> SumPanel::draw(Plot& plot, const drawings::Box&, Language language) const {

@@ -177,7 +177,8 @@ void TrussPanel::draw_truss(Plot& plot, bool is_solved) const {
   for (std::size_t i = 0; i < figure_->bars.size(); ++i) {
     const TrussFigure::Bar& bar = figure_->bars[i];
     const Place &P = figure_->joints[bar.from], &Q = figure_->joints[bar.to];
-    const Meaning weight = is_solved ? TrussFigure::meaning(bar.force) : Meaning::link;
+    // Heavy is compressed: where the reactions are found nothing is said of that.
+    const Meaning weight = is_solved ? TrussFigure::meaning(bar.force) : funicular_ ? Meaning::plate : Meaning::link;
     plot.in_step(from_beginning);
     // Beside the plan every bar is thin until that says what is pressed.
     if (is_solved && regions_ == Regions::lettered && weight == Meaning::link) {
@@ -185,7 +186,8 @@ void TrussPanel::draw_truss(Plot& plot, bool is_solved) const {
       plot.in_step(figure_->step_of_bar(i));
     }
     plot.segment(P, Q, weight, "bar_" + std::to_string(i + 1));
-    if (!funicular_) plot.in_step(figure_->step_of_bar(i));  // with its number, what the plan says of it
+    if (funicular_) continue;               // the numbers there are the strings'
+    plot.in_step(figure_->step_of_bar(i));  // with its number, what the plan says of it
     plot.onto().sheet.figure.labels.push_back(
         {.text = std::to_string(i + 1) + (is_solved ? TrussFigure::sign(bar.force) : ""),
          .at = plot.at(P),

@@ -117,7 +117,7 @@ TEST_CASE("letters find room on all sheets", "[cam-dynamics][sheets]") {
 }
 
 TEST_CASE("the arms of the cam's forces are told apart, and measured", "[cam-dynamics][sheets]") {
-  const DrawnSheet drawn = cam().draw("forces", {});
+  const DrawnSheet drawn = cam().draw("torque", {});
   const auto end_of = [&](const std::string& letters) {
     for (const drawings::Dimension& each : all_of<drawings::Dimension>(drawn))
       if (each.text == letters) {

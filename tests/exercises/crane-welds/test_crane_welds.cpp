@@ -1,6 +1,7 @@
 // The crane's welds: their numbers are those of a corpus that turns faces and differentiates the flange's force; what
 // the source printed, computed with twice the mass it states; what cannot be; the sheets.
 #include "exercises/kit/proof/verdict.h"
+#include "tests/exercises/drawn_marks.h"
 #include "tests/exercises/held_against_corpus.h"
 
 using namespace epure;
@@ -101,4 +102,11 @@ TEST_CASE("crane welds: the diagrams are measured back", "[crane-welds][sheets]"
         Names{"fillet_allowable_1", "fillet_allowable_2", "tau_par_T", "mass_600kg.tau_par_T", "tau_fillet"});
   // A cut that does not reach the sphere is not drawn.
   CHECK_FALSE(shown("sphere", {"f_1=0.5", "f_2=0.9"}).contains("fillet_allowable_2"));
+}
+
+TEST_CASE("crane welds: each check says whether it holds", "[crane-welds][sheets]") {
+  CHECK(tells(welds().draw("mohr", {}), "The check holds"));
+  CHECK(tells(welds().draw("mohr", {"W_b=6000", "b=2"}), "The check does not hold"));
+  CHECK(tells(welds().draw("throat", {}), "The check of the throats holds"));
+  CHECK(tells(welds().draw("sphere", {"W_b=40t", "b=2"}), "The check of the throats does not hold"));
 }

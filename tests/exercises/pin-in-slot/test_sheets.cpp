@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "drawings/output.h"
+#include "exercises/kit/panels/results.h"
 #include "tests/exercises/pin-in-slot/cases.h"
 #include "tests/support/catch.h"
 #include "tests/support/read_svg.h"
@@ -126,8 +127,9 @@ TEST_CASE("the balance shows the right couple and the mistaken one", "[pin-in-sl
   const auto& labels = draw("power-balance", {}).sheet.figure.labels;
   for (const char* shown : {"188.8\u00a0N m", "138.9\u00a0N m", "111.3", "61.40"}) {
     CAPTURE(shown);
-    CHECK(
-        std::any_of(labels.begin(), labels.end(), [&](const drawings::Label& label) { return label.text == shown; }));
+    const std::string with_unit = shown + unit_after_number("N m", Language::english);
+    CHECK(std::any_of(labels.begin(), labels.end(),
+                      [&](const drawings::Label& label) { return label.text == with_unit; }));
   }
 }
 
