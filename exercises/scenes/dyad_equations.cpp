@@ -225,11 +225,17 @@ class Writer {
   }
   // Its image stands in a polygon drawn before.
   Term found_before(const VectorQuantity& quantity, const std::string& origin, int P) const {
+    Term known{quantity, {}, {}, tip(P)};
+    known.found_before = name(P);
     for (const PinOnLine& pin : linkage().pins)
-      if (pin.point == P && linkage().link_of_line(pin.line) == 0)
-        return {quantity, "∥ $" + point_letters(of_.line(pin.line)) + "$", quantity.length().symbol, tip(P)};
-    const std::string image = "$O_{" + origin + "}" + small(name(P)) + "'$";
-    return {quantity, "∥ " + image, image, tip(P)};
+      if (pin.point == P && linkage().link_of_line(pin.line) == 0) {
+        known.direction = "∥ $" + point_letters(of_.line(pin.line)) + "$";
+        known.magnitude = quantity.length().symbol;
+        return known;
+      }
+    known.magnitude = "$O_{" + origin + "}" + small(name(P)) + "'$";
+    known.direction = "∥ " + known.magnitude;
+    return known;
   }
 
   // --- the sides -------------------------------------------------------------------------------------------------
@@ -383,6 +389,7 @@ class Writer {
     // With two corners of one name, the letters stand once.
     for (auto* chain : {&left.v, &left.a}) chain->back().tip.clear();
     DyadEquation written{.joint = name(joint),
+                         .is_joint_found = true,
                          .v_left = std::move(left.v),
                          .v_right = std::move(right.v),
                          .a_left = std::move(left.a),
@@ -491,6 +498,7 @@ class Writer {
   Found write(const SlotOnPin& step) const {
     DyadEquation written =
         equation(step.pin, lever(step.link, step.hinge, step.pin), from_pin(step.link, step.line, step.pin, true));
+    written.is_joint_found = false;
     const bool is_alone = of_.is_fixed(step.hinge);
     const auto of = [&](bool is_velocity, Part part) {
       return is_alone ? of_.on_link(step.pin, step.link, is_velocity, part)
@@ -510,7 +518,9 @@ class Writer {
         {of_.on_link(step.pin, i, true), along, "?", end, source(Source::on_link_velocity)}, step.track.line));
     on_guide.a.push_back(unknown_along(
         {of_.on_link(step.pin, i, false), along, "?", end, source(Source::on_link_acceleration)}, step.track.line));
-    return equation(step.pin, std::move(on_guide), from_pin(i, step.line, step.pin, false));
+    DyadEquation written = equation(step.pin, std::move(on_guide), from_pin(i, step.line, step.pin, false));
+    written.is_joint_found = false;
+    return written;
   }
   Found write(const CrossedBlock& step) const {
     const auto& points = linkage().links[index(step.track.block)].points;

@@ -47,6 +47,7 @@ struct Term {
   std::string across_from = {}, across_to = {};  // of an unknown one: its line is square to this
   std::string along_line = {};                   // ... or along this line of a link
   bool is_square = false, is_subtracted = false;
+  std::string found_before = {};  // a point: it is its vector, of another polygon
 };
 
 // Another point of a link of which two points have their images already.
@@ -58,7 +59,8 @@ struct Image {
 };
 
 struct DyadEquation {
-  std::string joint;  // whose vectors it finds
+  std::string joint;           // whose vectors it finds
+  bool is_joint_found = true;  // and they were not known before: of a pin that leads a slotted link they were
   std::vector<Term> v_left, v_right, a_left, a_right;
   std::vector<Image> images;
   std::vector<std::string> sums;  // points whose whole vectors are drawn, as no side is one

@@ -3,26 +3,22 @@
 #include <algorithm>
 #include <utility>
 
-#include "exercises/kit/panels/mechanism.h"
-#include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/panels/panel_sheet.h"
-#include "exercises/kit/panels/vectors_panel.h"
 #include "exercises/scenes/extremes.h"
 #include "exercises/scenes/file/file_head.h"
-#include "exercises/scenes/file/greek.h"
 #include "exercises/scenes/file/limits.h"
 #include "exercises/scenes/file/refusals.h"
 #include "exercises/scenes/forces/force_sheets.h"
 #include "exercises/scenes/scene_routes.h"
-#include "exercises/scenes/sheets/accelerations_panel.h"
+#include "exercises/scenes/sheets/acceleration_pole_sheets.h"
 #include "exercises/scenes/sheets/centres_sheets.h"
 #include "exercises/scenes/sheets/chart_sheets.h"
-#include "exercises/scenes/sheets/in_lines.h"
+#include "exercises/scenes/sheets/diagram_sheets.h"
+#include "exercises/scenes/sheets/legend.h"
 #include "exercises/scenes/sheets/path_sheets.h"
 #include "exercises/scenes/sheets/polode_sheets.h"
 #include "exercises/scenes/sheets/polygon_sheets.h"
 #include "exercises/scenes/sheets/range_sheets.h"
-#include "exercises/scenes/sheets/scene_figure.h"
 #include "exercises/scenes/shipped.h"
 
 namespace epure::scenes {
@@ -50,55 +46,17 @@ std::vector<Quantity> quantities_of(const Scene& scene) {
   return all;
 }
 
-// Of links without a pivot, where they have one.
-std::vector<AccelerationsPanel::Centre> acceleration_centres(const Built& built, const Solution& s) {
-  std::vector<AccelerationsPanel::Centre> centres;
-  for (const std::size_t i : links_without_pivot(built)) {
-    const int link = built.letters.links[i];
-    const std::string K = acceleration_centre(link).name;
-    if (const auto at = s.point(K)) centres.push_back({K, "$K_{" + std::to_string(link) + "}$", *at});
-  }
-  return centres;
-}
-
-// The mechanism with the vectors of its points, and how its links turn.
-PanelSheet diagram(const Scene& scene, const Solution& s, bool is_of_velocities, Language language) {
-  const Built built = scene.built(s.givens());
-  const auto vector = is_of_velocities ? velocity : acceleration;
-  PanelSheet sheet;
-  std::vector<std::string> moving, rates;
-  for (const std::string& name : moving_points(built)) {
-    if (s.value(vector(name).name)) moving.push_back(name);
-    sheet.results.push_back(components(vector(name)));
-  }
-  for (std::size_t i = 1; i < built.linkage.links.size(); ++i)
-    rates.push_back((is_of_velocities ? angular_velocity : angular_acceleration)(built.letters.links[i]).name);
-  add_in_lines(sheet, rates, 3);
-  if (is_of_velocities)
-    for (const PointOffset& offset : built.offsets)
-      sheet.results.push_back(
-          value_as(format_words("From ${}$ to ${}$, square to it: {}", "Da ${}$ a ${}$, in perpendicolare: {}",
-                                point_letters(built.letters.lines[static_cast<std::size_t>(offset.line)]),
-                                point_letters(built.letters.points[static_cast<std::size_t>(offset.point)]),
-                                given_letters(offset.name))
-                       .in(language),
-                   offset.name));
-  const auto figure = std::make_shared<const Mechanism>(figure_of(built, s));
-  const std::vector<AccelerationsPanel::Centre> centres = acceleration_centres(built, s);
-  if (!is_of_velocities && !centres.empty()) {
-    std::vector<std::pair<std::string, std::string>> rows;
-    for (const AccelerationsPanel::Centre& K : centres) rows.emplace_back(K.letters, K.quantity);
-    sheet.results.push_back(remark(
-        Words{"Without acceleration now, of the links:", "Senza accelerazione ora, dei membri:"}.in(language)));
-    sheet.results.push_back(coordinates(rows));
-  }
-  if (moving.empty())
-    sheet.panels = panels(MechanismPanel(figure));
-  else if (!is_of_velocities)
-    sheet.panels = panels(AccelerationsPanel(s, figure, moving, centres));
-  else
-    sheet.panels = panels(VectorsPanel(s, figure, vector, moving));
-  return sheet;
+// Its letters are explained in full where the scene begins.
+void add_legends(std::vector<SheetMaker>& sheets, const std::shared_ptr<const Scene>& scene,
+                 const SheetNumbers& numbers) {
+  for (std::size_t i = 0; i < sheets.size(); ++i)
+    sheets[i].make = [scene, make = std::move(sheets[i].make),
+                      first = i == 0 ? Words{} : numbers.of(sheets[0].spec.name)](const Solution& s,
+                                                                                  Language language) {
+      PanelSheet sheet = make(s, language);
+      if (auto legend = legend_of(*scene, first, language)) sheet.first.push_back(std::move(*legend));
+      return sheet;
+    };
 }
 
 Words question(const Scene& scene) {
@@ -149,13 +107,11 @@ std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& sce
   const std::vector<Quantity> known = quantities_of(*scene);
   scene->demand_one_meaning(known);
   const auto solve = [scene](const Givens& givens, Rung rung) { return solved(*scene, givens, rung); };
-  std::vector<SheetMaker> sheets{
-      {{"velocities", {"Velocities", "Velocità"}},
-       [scene](const Solution& s, Language language) { return diagram(*scene, s, true, language); }},
-      {{"accelerations", {"Accelerations", "Accelerazioni"}},
-       [scene](const Solution& s, Language language) { return diagram(*scene, s, false, language); }}};
-  for (SheetMaker& sheet : polygon_sheets(scene)) sheets.push_back(std::move(sheet));
-  for (SheetMaker& sheet : centres_sheets(scene)) sheets.push_back(std::move(sheet));
+  const SheetNumbers numbers;
+  std::vector<SheetMaker> sheets = diagram_sheets(scene, numbers);
+  for (SheetMaker& sheet : polygon_sheets(scene, numbers)) sheets.push_back(std::move(sheet));
+  for (SheetMaker& sheet : acceleration_pole_sheets(scene)) sheets.push_back(std::move(sheet));
+  for (SheetMaker& sheet : centres_sheets(scene, numbers)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : force_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : path_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : polode_sheets(scene)) sheets.push_back(std::move(sheet));
@@ -166,6 +122,10 @@ std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& sce
   for (const SheetMaker& sheet : sheets) names.push_back(sheet.spec.name);
   std::vector<SheetMaker> chosen;
   for (const std::size_t i : scene->chosen_sheets(names)) chosen.push_back(std::move(sheets[i]));
+  names.clear();
+  for (const SheetMaker& sheet : chosen) names.push_back(sheet.spec.name);
+  numbers.are_of(names);
+  add_legends(chosen, scene, numbers);
   auto exercise = exercise_of_panels(described(*scene), solve, std::move(chosen));
   scene->demand_printed(exercise->about().quantities());
   return exercise;

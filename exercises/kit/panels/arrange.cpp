@@ -7,6 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "drawings/sheet/column.h"
+#include "drawings/sheet/layout.h"
+#include "drawings/sheet/title_block.h"
 #include "drawings/text/text.h"
 #include "exercises/kit/panels/close_up.h"
 #include "exercises/kit/panels/edge.h"
@@ -391,6 +394,38 @@ void draw_frames(const PlacedPanel& close_up, const PlacedPanel& whole, DrawnShe
   cut(onto.sheet.figure, figure_area(request));
 }
 
+bool is_legend(const Section& section) { return section.heading.empty(); }
+
+double size_of_letters(const DrawnSheet& sheet) {
+  const drawings::Layout parts = drawings::layout(sheet.sheet.paper, drawings::title_block_height(sheet.sheet));
+  double largest = 0;
+  for (const drawings::Primitive& each :
+       drawings::set_column(sheet.sheet.column, parts.column, sheet.sheet.language, nullptr))
+    if (const auto* text = std::get_if<drawings::PlacedText>(&each)) largest = std::max(largest, text->size);
+  return largest;
+}
+
+// What the letters of the givens mean: told under them in the first of these ways that leaves the column's letters as
+// large as they are. The column is complete but for that.
+void add_legend(const Solution& solution, const PanelSheet& shown, DrawnSheet& onto) {
+  std::vector<drawings::Block>& column = onto.sheet.column;
+  constexpr std::ptrdiff_t under_givens = 2;  // their heading and they
+  if (std::ssize(column) < under_givens) return;
+  const double size = size_of_letters(onto);
+  for (const Section& section : shown.first) {
+    if (!is_legend(section)) continue;
+    for (const Result& way : section.lines) {
+      const auto block = way(solution, onto.sheet.language);
+      if (!block) continue;
+      const auto at = column.insert(column.begin() + under_givens, *block);
+      // In small letters already it takes no more room than it must.
+      const bool is_shortest = &way == &section.lines.back();
+      if (size_of_letters(onto) == size && (size >= drawings::column_size || is_shortest)) return;
+      column.erase(at);
+    }
+  }
+}
+
 std::string description(const Solution& solution, const PanelSheet& shown, Language language) {
   std::vector<Value> values;
   for (const std::string& name : shown.told)
@@ -450,10 +485,12 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   if (request.blank) {
     const Words question = question_of(about, sheet);
     add_problem(onto, question, solution, asked, origin, request);
+    add_legend(solution, shown, onto);
     onto.sheet.description = drawings::plain(question.in(language));
     return onto;
   }
-  for (const Section& section : shown.first) add_section(solution, section, onto, language);
+  for (const Section& section : shown.first)
+    if (!is_legend(section)) add_section(solution, section, onto, language);
   for (const auto& panel : shown.panels)
     for (const drawings::VectorEquation& equation : panel->equations()) column.push_back(equation);
   bool has_steps_off_sheet = false;
@@ -469,6 +506,7 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
   for (const Section& section : shown.theory) add_section(solution, section, onto, language);
   add_section(solution, {{"Results", "Risultati"}, shown.results}, onto, language);
   add_measured(shown, onto, language);
+  add_legend(solution, shown, onto);
   onto.sheet.description = description(solution, shown, language);
   return onto;
 }

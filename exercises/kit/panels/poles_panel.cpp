@@ -43,7 +43,10 @@ PolesPanel::Kind PolesPanel::of_acceleration() {
 
 PolesPanel::PolesPanel(const Solution& solution, std::shared_ptr<const MechanismFigure> mechanism, Kind kind,
                        const std::vector<std::string>& points, std::vector<PolesStep> steps)
-    : mechanism_(std::move(mechanism)), kind_(std::move(kind)), steps_(std::move(steps)) {
+    : mechanism_(std::move(mechanism)),
+      kind_(std::move(kind)),
+      steps_(std::move(steps)),
+      origin_(mechanism_->corners().front()) {
   for (const std::string& X : points) {
     VectorQuantity quantity = kind_.vector(X);
     quantity.name = kind_.prefix + quantity.name;
@@ -167,7 +170,7 @@ void PolesPanel::draw_leaving_rays(Plot& plot, const drawings::Box& room, Langua
 void PolesPanel::draw_pole(Plot& plot) const {
   plot.cross(*pole_, kind_.ink);
   if (!kind_.letters.empty()) plot.label(kind_.letters, *pole_, middle_of(mechanism_->corners()), kind_.ink);
-  if (reports_pole_) plot.measures_coordinates(kind_.prefix + kind_.pole, *pole_, mechanism_->corners().front());
+  if (reports_pole_) plot.measures_coordinates(kind_.prefix + kind_.pole, *pole_, origin_);
   for (const Carried& X : points_)
     if (contains(reported_rays_, X.name)) plot.measures(name_of_ray(X.name), *pole_, X.at);
 }
@@ -225,8 +228,7 @@ std::vector<drawings::Block> PolesPanel::draw(Plot& plot, const drawings::Box& r
     plot.vector_on(
         X.quantity.name, X.at, X.v, is_of_velocity() ? Meaning::velocity : Meaning::acceleration,
         letters_or_value(X.quantity.arrow(), magnitude(X.v), mm, written_unit(X.quantity.unit, language), language));
-    if (contains(reported_points_, X.name))
-      plot.measures_coordinates(kind_.prefix + X.name, X.at, mechanism_->corners().front());
+    if (contains(reported_points_, X.name)) plot.measures_coordinates(kind_.prefix + X.name, X.at, origin_);
   }
   if (pole_ && !is_of_velocity())
     for (const Carried& X : points_) mark_inclination(plot, X);

@@ -46,6 +46,11 @@ class PolesPanel : public Panel {
   // The pole is where these lines meet, each through two points (a fixed one and one of the plane), and square to the
   // path of the second. Of velocities only; without it the rays of all points are such lines.
   PolesPanel& on_lines(std::vector<std::pair<Place, std::string>> lines);
+  // Coordinates count from this point, and not from the mechanism's first corner.
+  PolesPanel& coordinates_from(const Place& origin) {
+    origin_ = origin;
+    return *this;
+  }
   // The plane turns: an arc arrow about the pole.
   PolesPanel& turning(double sense, const std::string& symbol);
   // The velocities, measured, are held against this rate (an angular velocity) times the distances from the pole.
@@ -92,6 +97,7 @@ class PolesPanel : public Panel {
   std::vector<std::string> reported_points_, reported_rays_;
   std::vector<PolesStep> steps_;
   std::optional<Place> pole_;  // none at infinity
+  Place origin_;
   std::vector<std::pair<Place, std::string>> lines_;
   bool reports_pole_ = false, is_sketched_ = false, is_by_the_tips_ = false;
   std::optional<double> rate_;

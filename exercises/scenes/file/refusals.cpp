@@ -256,7 +256,8 @@ class Missing {
                           "{0} e {1} stanno in un punto, e {0} {2} è lungo quanto {1} {2}", P, Q, X);
     return format_words(
         "{0} {2} and {1} {2} lie in one line, {3}", "{0} {2} e {1} {2} stanno su una retta, {3}", P, Q, X,
-        is_stretched ? Words{"stretched out", "l'uno dopo l'altro"} : Words{"folded", "l'uno sull'altro"});
+        is_stretched ? Words{"stretched out", "l'uno dopo l'altro"}
+                     : format_words("folded, with {} between", "l'uno sull'altro, con {} in mezzo", a2 > b2 ? Q : P));
   }
   Words at_limit(const RodAndTrack& step) const {
     return format_words("{} {} stands square to {}", "{} {} sta normale a {}", told_.point(step.rod.pin),

@@ -13,18 +13,18 @@ constexpr double letters_around = 9;  // mm
 constexpr double axis_arrow = 8;      // mm, of the two arrows at the origin
 constexpr Place plane_origin{0, 0};   // of the axes of link 1, in which coordinates are told
 
-std::optional<Arrow2> direction_of(const std::pair<OnLine, OnLine>& line) {
-  const auto& [one, other] = line;
-  if (one.at && other.at) return *other.at - *one.at;
-  return one.towards ? one.towards : other.towards;
-}
-
 // Where a line leads from one of its points to a centre that is off the sheet.
 Place beyond_room(const DrawnCentre& centre, const Place& from, const Arrow2& along) {
   return centre.at ? *centre.at : from + along;
 }
 
 }  // namespace
+
+std::optional<Arrow2> along_line(const std::pair<OnLine, OnLine>& line) {
+  const auto& [one, other] = line;
+  if (one.at && other.at) return *other.at - *one.at;
+  return one.towards ? one.towards : other.towards;
+}
 
 drawings::Box CentresPanel::extent(const Scale& lengths, const Scale&) const {
   constexpr double not_tried = 20;  // times the mechanism
@@ -76,13 +76,17 @@ void CentresPanel::draw_line(Plot& plot, const drawings::Box& room, const DrawnC
   const bool shows_centre = centre.at && is_in(room, plot, *centre.at);
   if (shows_centre) shown.push_back(*centre.at);
   if (shown.empty()) return;
-  const auto along = direction_of(line);
+  const auto along = along_line(line);
   if (!along) return;
   const auto ahead = [&](const Place& P, const Place& Q) { return dot(*along, P - Q) < 0; };
   const auto [first, last] = std::minmax_element(shown.begin(), shown.end(), ahead);
   if (distance(*first, *last) > 0) plot.long_segment(*first, *last, beyond, Meaning::construction);
   if (!shows_centre)
     draw_towards(plot, room, shown.front(), beyond_room(centre, shown.front(), *along), centre.letters, language);
+  // What is at infinity and was found before.
+  for (const OnLine* on : {&line.first, &line.second})
+    if (shows_centre && on->towards && !on->letters.empty())
+      draw_towards(plot, room, *centre.at, *centre.at + *on->towards, on->letters, language);
   // What lies off the sheet, or beyond a close-up.
   for (const OnLine* on : {&line.first, &line.second}) {
     if (!shows_centre || !on->at || is_in(room, plot, *on->at)) continue;
@@ -132,7 +136,7 @@ std::vector<double> CentresPanel::crossings() const {
   std::vector<double> angles;
   for (const DrawnCentre& centre : centres_) {
     if (centre.lines.size() != 2) continue;
-    const auto one = direction_of(centre.lines[0]), other = direction_of(centre.lines[1]);
+    const auto one = along_line(centre.lines[0]), other = along_line(centre.lines[1]);
     if (one && other && magnitude(*one) > 0 && magnitude(*other) > 0) angles.push_back(crossing_angle(*one, *other));
   }
   return angles;
@@ -160,7 +164,7 @@ std::optional<Place> CentresPanel::where_it_leaves(const Plot& plot, const drawi
     return found;
   for (const auto& line : centre.lines)
     for (const OnLine* on : {&line.first, &line.second})
-      if (const auto along = direction_of(line); along && on->at && is_in(room, plot, *on->at)) {
+      if (const auto along = along_line(line); along && on->at && is_in(room, plot, *on->at)) {
         const Place edge = ray_to_edge(plot, room, *on->at, beyond_room(centre, *on->at, *along) - *on->at);
         found = *on->at + of_the_way * (edge - *on->at);
       }

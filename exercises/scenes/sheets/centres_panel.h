@@ -17,6 +17,9 @@ struct OnLine {
   std::optional<Place> at;
   std::optional<Arrow2> towards;
 };
+// From its first centre to the second; none where neither tells it.
+std::optional<Arrow2> along_line(const std::pair<OnLine, OnLine>& line);
+
 struct DrawnCentre {
   std::string quantity;  // "P24"
   std::string letters;   // "$P_{24}$"
@@ -63,7 +66,7 @@ class CentresPanel : public Panel {
   std::shared_ptr<const MechanismFigure> mechanism_;
   std::vector<Place> points_;
   std::vector<DrawnCentre> centres_;
-  Words joints_;  // what the joints give, before the steps
+  Words joints_;  // what joints or other sheets give, before the steps
 };
 
 }  // namespace epure::scenes

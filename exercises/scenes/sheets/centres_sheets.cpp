@@ -1,6 +1,8 @@
 #include "exercises/scenes/sheets/centres_sheets.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <tuple>
 
 #include "exercises/kit/statement/format_words.h"
@@ -66,7 +68,19 @@ class CentresOfScene {
       if (joint->point != geometry::nothing) return {{}, s_.place(built_.letters.points[index(joint->point)]), {}};
       return {{}, {}, geometry::quarter_turn(s_.vector("along_" + built_.letters.lines[index(joint->line)]))};
     }
-    return {letters(i, j), s_.point(quantity(i, j).name), {}};
+    const auto at = s_.point(quantity(i, j).name);
+    return {letters(i, j), at, at ? std::nullopt : towards_infinity(i, j)};
+  }
+  // Along the lines on which it was found, which are parallel.
+  std::optional<Arrow2> towards_infinity(int i, int j) const {
+    for (const FoundCentre& centre : plan_.found) {
+      if (std::minmax(centre.i, centre.j) != std::minmax(i, j)) continue;
+      for (const int via : {centre.k, centre.l}) {
+        const auto along = along_line({on_line(i, via), on_line(via, j)});
+        if (along && magnitude(*along) > 0) return along;
+      }
+    }
+    return {};
   }
 
   // "P₁₂P₂₃"; of what slides, "the line through A square to s".
@@ -128,7 +142,36 @@ class CentresOfScene {
   const Solution& s_;
 };
 
-PanelSheet centres_sheet(const Scene& scene, const Solution& s, std::size_t page) {
+std::string name_of_page(std::size_t page) {
+  return page == 0 ? "instant-centres" : "instant-centres-" + std::to_string(page + 1);
+}
+
+// "P₄₅, P₃₇: sheet 9. P₂₈: sheet 10." of the centres that the shown ones start from and other sheets have.
+Words found_on_other_sheets(const std::vector<DrawnCentre>& all, const std::vector<DrawnCentre>& shown,
+                            const SheetNumbers& numbers) {
+  std::map<std::size_t, std::set<std::string>> pages;
+  const auto take = [&](const std::string& letters) {
+    const auto is_it = [&](const DrawnCentre& centre) { return centre.letters == letters; };
+    const auto found = std::find_if(all.begin(), all.end(), is_it);
+    if (found != all.end() && std::none_of(shown.begin(), shown.end(), is_it))
+      pages[static_cast<std::size_t>(found - all.begin()) / most_on_a_sheet].insert(letters);
+  };
+  for (const DrawnCentre& centre : shown)
+    for (const auto& [one, other] : centre.lines) {
+      take(one.letters);
+      take(other.letters);
+    }
+  Words told;
+  for (const auto& [page, letters] : pages) {
+    std::string list;
+    for (const std::string& each : letters) list += (list.empty() ? "" : ", ") + each;
+    if (const Words sheet = numbers.of(name_of_page(page)); !sheet.empty())
+      told = told + (told.empty() ? "" : " ") + format_words("{}: {}.", "{}: {}.", list, sheet);
+  }
+  return told;
+}
+
+PanelSheet centres_sheet(const Scene& scene, const Solution& s, std::size_t page, const SheetNumbers& numbers) {
   const Built built = scene.built(s.givens());
   const CentrePlan plan = centre_plan_of(built);
   const CentresOfScene centres(built, plan, s);
@@ -137,6 +180,7 @@ PanelSheet centres_sheet(const Scene& scene, const Solution& s, std::size_t page
                     last = std::min(all.size(), first + most_on_a_sheet);
   std::vector<DrawnCentre> shown(all.begin() + static_cast<std::ptrdiff_t>(first),
                                  all.begin() + static_cast<std::ptrdiff_t>(last));
+  const Words before = page == 0 ? centres.joints() : found_on_other_sheets(all, shown, numbers);
   std::vector<Place> points;
   for (const std::string& P : built.letters.points) points.push_back(s.place(P));
   PanelSheet sheet;
@@ -147,7 +191,7 @@ PanelSheet centres_sheet(const Scene& scene, const Solution& s, std::size_t page
   }
   if (!rows.empty()) sheet.results.push_back(coordinates(rows));
   sheet.panels = panels(CentresPanel(std::make_shared<const Mechanism>(figure_of(built, s)), std::move(points),
-                                     std::move(shown), page == 0 ? centres.joints() : Words{}));
+                                     std::move(shown), before));
   sheet.seen = {"The mechanism, and the instant centres of its links with the lines on which they lie",
                 "Il meccanismo, e i centri di istantanea rotazione dei suoi membri con le rette su cui stanno"};
   return sheet;
@@ -155,7 +199,7 @@ PanelSheet centres_sheet(const Scene& scene, const Solution& s, std::size_t page
 
 }  // namespace
 
-std::vector<SheetMaker> centres_sheets(const std::shared_ptr<const Scene>& scene) {
+std::vector<SheetMaker> centres_sheets(const std::shared_ptr<const Scene>& scene, const SheetNumbers& numbers) {
   const Built built = scene->built(Givens(scene->givens()));
   const CentrePlan plan = centre_plan_of(built);
   const std::size_t count = plan.found.size() + built.linkage.gears.size() + built.linkage.rolls.size(),
@@ -164,9 +208,9 @@ std::vector<SheetMaker> centres_sheets(const std::shared_ptr<const Scene>& scene
   for (std::size_t page = 0; page < pages; ++page) {
     const std::string number = std::to_string(page + 1);
     const Words title{"Instant centres", "Centri di istantanea rotazione"};
-    sheets.push_back({{page == 0 ? "instant-centres" : "instant-centres-" + number,
-                       pages == 1 ? title : title + " (" + number + ")"},
-                      [scene, page](const Solution& s, Language) { return centres_sheet(*scene, s, page); }});
+    sheets.push_back(
+        {{name_of_page(page), pages == 1 ? title : title + " (" + number + ")"},
+         [scene, page, numbers](const Solution& s, Language) { return centres_sheet(*scene, s, page, numbers); }});
   }
   return sheets;
 }

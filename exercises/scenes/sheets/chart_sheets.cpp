@@ -276,8 +276,8 @@ PanelSheet chart_sheet(const Scene& scene, const Solution& s, std::size_t which,
   const ChartOfScene chart(scene, built, s, names, kept);
   PanelSheet sheet;
   Mechanism mechanism = figure_of(built, s);
-  sheet.results = {remark(Words{"Dots, on the thin line: the place of the givens.",
-                                "Punti, sulla linea sottile: la posizione dei dati."}
+  sheet.results = {remark(Words{"On the thin line a dot: the position drawn.",
+                                "Sulla linea sottile un punto: la posizione disegnata."}
                               .in(language)),
                    values(names)};
   bool has_extremes = false;
@@ -289,8 +289,8 @@ PanelSheet chart_sheet(const Scene& scene, const Solution& s, std::size_t which,
       has_extremes = true;
     }
   if (has_extremes)
-    sheet.results.push_back(remark(Words{"The other dots: where it is greatest, and least, in a turn.",
-                                         "Gli altri punti: dove è massima, e minima, in un giro."}
+    sheet.results.push_back(remark(Words{"The other dots: the greatest and the least in a turn.",
+                                         "Gli altri punti: il massimo e il minimo in un giro."}
                                        .in(language)));
   sheet.panels = panels(MechanismPanel(std::make_shared<const Mechanism>(std::move(mechanism))),
                         ChartPanel(chart.chart(built, language), chart.read()));

@@ -202,8 +202,8 @@ class PathOfScene {
       return is_first ? with : Words{"In each ", "In ognuna "} + enumerated(joints) + "; " + with;
     }
     if (joints.empty()) return format_words("In each {}.", "In ognuna {}.", written(point_));
-    return Words{"In each ", "In ognuna "} + enumerated(joints) +
-           format_words(", and {}.", ", e {}.", written(point_));
+    return Words{"In each position ", "In ogni posizione "} + enumerated(joints) +
+           format_words(", then {}.", ", poi {}.", written(point_));
   }
 
   Words centre_in_words(const Solution& s) const {

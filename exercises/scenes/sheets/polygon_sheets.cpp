@@ -1,7 +1,7 @@
 #include "exercises/scenes/sheets/polygon_sheets.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/panels/polygon_panel.h"
@@ -18,28 +18,38 @@ class Drawn {
       : s_(solution), equation_(equation), is_of_velocities_(is_of_velocities) {}
 
   VectorPolygon polygon() const {
-    const auto &left = is_of_velocities_ ? equation_.v_left : equation_.a_left,
-               &right = is_of_velocities_ ? equation_.v_right : equation_.a_right;
-    VectorPolygon drawn = (is_of_velocities_ ? velocity_polygon : acceleration_polygon)(sides(left), sides(right));
+    VectorPolygon drawn =
+        (is_of_velocities_ ? velocity_polygon : acceleration_polygon)(sides(left()), sides(right()));
     // Unless it is a side of this polygon, alone.
     const auto is_side = [&](const std::string& X) {
-      return left.size() == 1 && left.front().quantity.name == of(X).name;
+      return left().size() == 1 && left().front().quantity.name == of(X).name;
     };
     for (const std::string& X : equation_.sums)
       if (!is_side(X)) drawn.images.push_back({.absolute = side(s_, of(X), {}, {}), .relative = {}, .explained = {}});
-    for (const Image& image : equation_.images)
+    for (const Image& image : equation_.images) {
+      for (const std::string& corner : {image.first, image.base})
+        if (!corner.empty() && !image.is_in_line) drawn.images.push_back(edge(image, corner_at(drawn, corner)));
       drawn.images.push_back(
           {.absolute = side(s_, of(image.point), {}, {}, tip(image)), .relative = {}, .explained = explained(image)});
+    }
     return drawn;
   }
 
   // The lengths of its sides that are no velocities or accelerations of points.
   std::vector<std::string> parts() const {
     std::vector<std::string> names;
-    for (const auto* chain : is_of_velocities_ ? std::array{&equation_.v_right, &equation_.v_left}
-                                               : std::array{&equation_.a_right, &equation_.a_left})
+    for (const auto* chain : {&right(), &left()})
       for (const Term& term : *chain)
         if (term.source && term.magnitude != "0") names.push_back(term.quantity.name);
+    return names;
+  }
+
+  // The points of which the vectors come from other sheets.
+  std::vector<std::string> found_before() const {
+    std::vector<std::string> names;
+    for (const auto* chain : {&right(), &left()})
+      for (const Term& term : *chain)
+        if (!term.found_before.empty()) names.push_back(term.found_before);
     return names;
   }
 
@@ -65,9 +75,10 @@ class Drawn {
   VectorQuantity of(const std::string& X) const { return is_of_velocities_ ? velocity(X) : acceleration(X); }
 
  private:
+  const std::vector<Term>& left() const { return is_of_velocities_ ? equation_.v_left : equation_.a_left; }
+  const std::vector<Term>& right() const { return is_of_velocities_ ? equation_.v_right : equation_.a_right; }
   bool is_told_by(const std::string& symbol) const {
-    for (const auto* chain : is_of_velocities_ ? std::array{&equation_.v_right, &equation_.v_left}
-                                               : std::array{&equation_.a_right, &equation_.a_left})
+    for (const auto* chain : {&right(), &left()})
       for (const Term& term : *chain)
         if (term.magnitude.find(symbol) != std::string::npos) return true;
     return false;
@@ -87,6 +98,25 @@ class Drawn {
   }
 
   static std::string tip(const Image& image) { return in_mathematics(image.last); }
+  // Where the polygon has the corner with these letters.
+  static Arrow2 corner_at(const VectorPolygon& polygon, const std::string& letters) {
+    const std::string tip = in_mathematics(letters);
+    for (const auto* chain : {&polygon.right, &polygon.left}) {
+      Arrow2 at{0, 0};
+      for (const PolygonSide& side : *chain) {
+        if (side.is_drawn()) at = side.is_subtracted ? at - side.v : at + side.v;
+        if (side.tip == tip) return at;
+      }
+    }
+    for (const PolygonImage& image : polygon.images)
+      if (image.absolute.tip == tip) return image.absolute.v;
+    return {0, 0};
+  }
+  // Of the triangle by which the image is found.
+  PolygonImage edge(const Image& image, const Arrow2& from) const {
+    const Arrow2 to = s_.vector(of(image.point).name);
+    return {.absolute = {.v = to}, .relative = {.v = to - from}, .explained = {}, .closes_triangle = true};
+  }
   Words explained(const Image& image) const {
     const std::string origin = is_of_velocities_ ? "O_{v}" : "O_{a}";
     const std::string images = in_mathematics((image.first.empty() ? origin : image.first) + image.base + image.last);
@@ -103,22 +133,72 @@ class Drawn {
   bool is_of_velocities_;
 };
 
+// Where the vector of a point was found that an equation starts from.
+Words sheet_that_finds(const std::vector<DyadEquation>& equations, const std::string& point, bool is_of_velocities,
+                       const SheetNumbers& numbers) {
+  for (std::size_t i = 0; i < equations.size(); ++i) {
+    const std::vector<Image>& images = equations[i].images;
+    if ((equations[i].is_joint_found && equations[i].joint == point) ||
+        std::any_of(images.begin(), images.end(), [&](const Image& image) { return image.point == point; }))
+      return numbers.of(name_of_polygon(equations, i, is_of_velocities));
+  }
+  return numbers.of(is_of_velocities ? "velocities" : "accelerations");
+}
+
+// The vectors that one of the equations starts from, and the sheets that they are from, in this order.
+std::vector<Section> found_on_other_sheets(const Drawn& drawn, const std::vector<DyadEquation>& equations,
+                                           bool is_of_velocities, const SheetNumbers& numbers) {
+  Section found;
+  std::vector<Words> sheets;
+  for (const std::string& X : drawn.found_before()) {
+    const Words sheet = sheet_that_finds(equations, X, is_of_velocities, numbers);
+    if (sheet.empty()) continue;
+    if (std::find(sheets.begin(), sheets.end(), sheet) == sheets.end()) sheets.push_back(sheet);
+    found.lines.push_back(components(drawn.of(X)));
+  }
+  if (found.lines.empty()) return {};
+  for (const Words& sheet : sheets)
+    found.heading =
+        found.heading + (found.heading.empty() ? Words{"From ", "Dalla "} : Words{" and ", " e dalla "}) + sheet;
+  return {found};
+}
+
+// The arc of the drive is so near to this pin that another about it would run into that.
+bool is_on_short_crank(const Built& built, const Mechanism& figure, const std::string& pin) {
+  constexpr double is_short = 0.3;  // of the whole
+  const auto name = [&](const geometry::LinkPoint& p) { return built.letters.points[index(p.point)]; };
+  for (const geometry::Drive& drive : built.linkage.drives) {
+    const auto* turned = std::get_if<geometry::TurnedLink>(&drive);
+    if (!turned) continue;
+    const auto& points = built.linkage.links[index(turned->link)].points;
+    if (std::any_of(points.begin(), points.end(), [&](const auto& p) { return name(p) == pin; }) &&
+        distance(figure.at(name(points.front())), figure.at(pin)) < is_short * figure.reach())
+      return true;
+  }
+  return false;
+}
+
 // How the links turn that the polygon is of, or how their rotation grows.
-std::shared_ptr<const Mechanism> with_rates(Mechanism figure, const Solution& s, const DyadEquation& equation,
-                                            bool is_of_velocities) {
+std::shared_ptr<const Mechanism> with_rates(Mechanism figure, const Solution& s, const Built& built,
+                                            const DyadEquation& equation, bool is_of_velocities) {
   for (const auto& [link, from, to] : equation.rods) {
     const Quantity rate = (is_of_velocities ? angular_velocity : angular_acceleration)(link);
-    figure.turning_found(from, to, s.value(rate.name).value_or(0), rate.symbol);
+    const bool is_crowded = is_on_short_crank(built, figure, from);
+    figure.turning_found(is_crowded ? to : from, is_crowded ? from : to, s.value(rate.name).value_or(0), rate.symbol);
   }
   return std::make_shared<const Mechanism>(std::move(figure));
 }
 
-PanelSheet polygon_sheet(const Scene& scene, const Solution& s, std::size_t which, bool is_of_velocities) {
+PanelSheet polygon_sheet(const Scene& scene, const Solution& s, std::size_t which, bool is_of_velocities,
+                         const SheetNumbers& numbers) {
   const Built built = scene.built(s.givens());
-  const DyadEquation equation = dyad_equations(built).at(which);
+  const std::vector<DyadEquation> equations = dyad_equations(built);
+  const DyadEquation& equation = equations.at(which);
   const Drawn drawn(s, equation, is_of_velocities);
-  PanelSheet sheet{.panels = panels(MechanismPanel(with_rates(figure_of(built, s), s, equation, is_of_velocities)),
-                                    PolygonPanel(s, drawn.polygon()))};
+  PanelSheet sheet{.panels =
+                       panels(MechanismPanel(with_rates(figure_of(built, s), s, built, equation, is_of_velocities)),
+                              PolygonPanel(s, drawn.polygon()))};
+  sheet.first = found_on_other_sheets(drawn, equations, is_of_velocities, numbers);
   add_in_lines(sheet, drawn.known_rates(built.letters.links), 2);
   for (const std::string& X : drawn.vectors()) {
     sheet.results.push_back(components(drawn.of(X)));
@@ -165,18 +245,22 @@ GroupName name_of(const std::vector<DyadEquation>& equations, std::size_t which)
 
 }  // namespace
 
-std::vector<SheetMaker> polygon_sheets(const std::shared_ptr<const Scene>& scene) {
+std::string name_of_polygon(const std::vector<DyadEquation>& equations, std::size_t which, bool is_of_velocities) {
+  return (is_of_velocities ? "velocity-polygon" : "acceleration-polygon") + name_of(equations, which).in_name;
+}
+
+std::vector<SheetMaker> polygon_sheets(const std::shared_ptr<const Scene>& scene, const SheetNumbers& numbers) {
   const std::vector<DyadEquation> equations = dyad_equations(scene->built(Givens(scene->givens())));
   std::vector<SheetMaker> sheets;
   for (const bool is_of_velocities : {true, false})
     for (std::size_t i = 0; i < equations.size(); ++i) {
       const GroupName group = name_of(equations, i);
-      const std::string name = (is_of_velocities ? "velocity-polygon" : "acceleration-polygon") + group.in_name;
       const Words title = (is_of_velocities ? Words{"Velocity polygon", "Poligono delle velocità"}
                                             : Words{"Acceleration polygon", "Poligono delle accelerazioni"}) +
                           group.in_title;
-      sheets.push_back({{name, title}, [scene, i, is_of_velocities](const Solution& s, Language) {
-                          return polygon_sheet(*scene, s, i, is_of_velocities);
+      sheets.push_back({{name_of_polygon(equations, i, is_of_velocities), title},
+                        [scene, i, is_of_velocities, numbers](const Solution& s, Language) {
+                          return polygon_sheet(*scene, s, i, is_of_velocities, numbers);
                         }});
     }
   return sheets;

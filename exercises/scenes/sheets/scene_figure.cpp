@@ -44,13 +44,16 @@ std::optional<int> guide_in_frame(const Linkage& of, int point) {
   return {};
 }
 
+bool ends_cylinder(const Linkage& of, int point) {
+  return std::any_of(of.drives.begin(), of.drives.end(), [&](const geometry::Drive& drive) {
+    const auto* cylinder = std::get_if<geometry::Stretched>(&drive);
+    return cylinder && (cylinder->from == point || cylinder->to == point);
+  });
+}
+
 // A point of the frame alone, of which coordinates are told: no link and no cylinder turns about it.
 bool is_idle(const Linkage& of, int point) {
-  return of.links_at(point) == std::vector<int>{0} &&
-         std::none_of(of.drives.begin(), of.drives.end(), [&](const geometry::Drive& drive) {
-           const auto* cylinder = std::get_if<geometry::Stretched>(&drive);
-           return cylinder && (cylinder->from == point || cylinder->to == point);
-         });
+  return of.links_at(point) == std::vector<int>{0} && !ends_cylinder(of, point);
 }
 
 Mechanism::Joint joint(const Linkage& of, int point) {
@@ -60,7 +63,8 @@ Mechanism::Joint joint(const Linkage& of, int point) {
   if (guide_in_frame(of, point)) return Mechanism::Joint::block;
   const bool runs_in_a_slot =
       std::any_of(of.pins.begin(), of.pins.end(), [&](const PinOnLine& pin) { return pin.point == point; });
-  return links.size() > 1 || runs_in_a_slot ? Mechanism::Joint::hinge : Mechanism::Joint::none;
+  return links.size() > 1 || runs_in_a_slot || ends_cylinder(of, point) ? Mechanism::Joint::hinge
+                                                                        : Mechanism::Joint::none;
 }
 
 double direction(const Linkage& of, int line) {
@@ -294,6 +298,11 @@ void add_wheel(Mechanism& figure, const Built& built, const Solution& s, const g
     return;
   }
   figure.profile(O, radius, 0, 2 * std::numbers::pi);
+  if (is_numbered) {
+    const double below = -3 * std::numbers::pi / 4;
+    figure.point(name + "'s number", {O.x + radius * std::cos(below), O.y + radius * std::sin(below)},
+                 Mechanism::Joint::corner, std::to_string(built.letters.links[index(wheel)]));
+  }
   for (const int quarter : {0, 1, 2, 3})
     hidden(name + std::to_string(quarter), {O.x + radius * std::cos(quarter * std::numbers::pi / 2),
                                             O.y + radius * std::sin(quarter * std::numbers::pi / 2)});

@@ -133,7 +133,8 @@ TEST_CASE("a group at a dead centre or change point is named, with what is speci
     return {};
   };
   const std::string end = ": at this dead centre or change point the drive does not determine the motion";
-  CHECK(why("parallelogram", {"phi=0deg"}) == "B: A B and B0 B lie in one line, folded" + end + " (links 3 and 4)");
+  CHECK(why("parallelogram", {"phi=0deg"}) ==
+        "B: A B and B0 B lie in one line, folded, with B0 between" + end + " (links 3 and 4)");
   CHECK(why("parallelogram", {"phi=180deg"}) ==
         "B: A B and B0 B lie in one line, stretched out" + end + " (links 3 and 4)");
   CHECK(why("parallelogram", {"phi=0deg", "r=0.5m"}) ==
@@ -364,15 +365,16 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 }  // namespace
 
 TEST_CASE("a scene has polygons group by group, and its instant centres", "[scenes]") {
-  CHECK(sheets_of(*exercise_of("four-bar")) ==
-        std::vector<std::string>{"velocities", "accelerations", "velocity-polygon", "acceleration-polygon",
-                                 "instant-centres", "path", "polodes", "chart-omega_3-omega_4"});
+  CHECK(sheets_of(*exercise_of("four-bar")) == std::vector<std::string>{"velocities", "accelerations",
+                                                                        "velocity-polygon", "acceleration-polygon",
+                                                                        "acceleration-poles", "instant-centres",
+                                                                        "path", "polodes", "chart-omega_3-omega_4"});
   CHECK(sheets_of(*exercise_of("jansen")) ==
         std::vector<std::string>{"velocities", "accelerations", "velocity-polygon-B", "velocity-polygon-D",
                                  "velocity-polygon-E", "acceleration-polygon-B", "acceleration-polygon-D",
-                                 "acceleration-polygon-E", "instant-centres", "instant-centres-2",
-                                 "instant-centres-3", "path"});
-  CHECK(sheets_of(*exercise_of("excavator")).size() == 8);  // two drives: no centres
+                                 "acceleration-polygon-E", "acceleration-poles", "acceleration-poles-2",
+                                 "instant-centres", "instant-centres-2", "instant-centres-3", "path"});
+  CHECK(sheets_of(*exercise_of("excavator")).size() == 9);  // two drives: no centres
 }
 
 TEST_CASE("a polygon is told as it is drawn, Coriolis' acceleration subtracted", "[scenes]") {
@@ -417,7 +419,7 @@ TEST_CASE("a point has a path where one drive moves it, and each path its sheet"
   };
   CHECK(sheets_of(*scenes::scene_exercise(scene("paths: [Q]"))).back() == "path");
   CHECK(sheets_of(*scenes::scene_exercise(scene("paths: [Q, B]"))).back() == "path-B");
-  CHECK(sheets_of(*scenes::scene_exercise(scene("paths: []"))).size() == 5);
+  CHECK(sheets_of(*scenes::scene_exercise(scene("paths: []"))).size() == 6);
   const auto why = [&](const std::string& more) -> std::string {
     try {
       scene(more);
@@ -481,7 +483,7 @@ int labels_of(const DrawnSheet& drawn, const std::string& letters) {
 }  // namespace
 
 TEST_CASE("a point of the path is found as its link is: a joint, what is driven, a point of the crank", "[scenes]") {
-  CHECK(steps_with("quick-return", "paths: [C, A]", "path-C")[1] == "In each A, and C.");
+  CHECK(steps_with("quick-return", "paths: [C, A]", "path-C")[1] == "In each position A, then C.");
   CHECK(steps_with("quick-return", "paths: [C, A]", "path-A")[1] == "The curve through the points: the path of A.");
   CHECK(steps_with("engine", "paths: [S]", "path")[1] == "On tracing paper S goes with link 2 and marks a point.");
 }

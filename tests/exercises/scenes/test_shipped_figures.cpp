@@ -111,5 +111,20 @@ TEST_CASE("what a shipped mechanism is drawn from is among its givens", "[scenes
 }
 
 TEST_CASE("an offset is told with the line and the point that it is of", "[scenes]") {
-  CHECK(tells(shipped("chebyshev", "velocities"), "square to it: $e$"));
+  CHECK(tells(shipped("chebyshev", "velocities"), "Distance of $P$ from $g$, to the left: $e$"));
+}
+
+TEST_CASE("a sheet tells what the letters of its givens mean, and from where its known vectors are", "[scenes]") {
+  CHECK(tells(shipped("quick-return", "velocities"), "$h$: height of the guide $g$ above $O_{4}$;"));
+  CHECK(tells(shipped("excavator", "acceleration-polygon-R"), "What these letters mean: sheet 1."));
+  CHECK(tells(shipped("quick-return", "velocities"), "by the polygon, sheet 3."));
+  CHECK(tells(shipped("peaucellier", "instant-centres-2"), "$P_{38}$: sheet 11."));
+}
+
+TEST_CASE("a centre at infinity that was found before leads to others: its lines are drawn", "[scenes]") {
+  const DrawnSheet sheet = shipped("peaucellier", "instant-centres-2");
+  const auto& labels = sheet.sheet.figure.labels;
+  CHECK(std::count_if(labels.begin(), labels.end(), [](const drawings::Label& label) {
+          return label.text.find("to $P_{67}$") != std::string::npos;
+        }) == 3);  // the two on which it lies, and that on which P17 does
 }
