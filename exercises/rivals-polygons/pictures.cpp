@@ -8,7 +8,7 @@
 namespace epure::rivals_polygons {
 namespace {
 
-constexpr double caption_height = 7.5, caption_size = 2.7;  // mm
+constexpr double caption_height = 6.6, caption_size = 2.7;  // mm
 
 Words known(const PolygonSide& side) { return {side.label + " known", side.label + " nota"}; }
 
@@ -37,7 +37,7 @@ std::vector<drawings::Block> PicturePanel::draw(Plot& plot, const drawings::Box&
   const drawings::Box box = extent(plot.scale(), plot.vector_scale());
   const drawings::Point O = plot.at({0, 0});
   plot.mark(drawings::Writing{.text = caption_.in(language),
-                              .baseline = {O.x + box.low.x, O.y + box.high.y - caption_height + 3.5},
+                              .baseline = {O.x + box.low.x, O.y + box.high.y - caption_height + 2.6},
                               .size = caption_size});
   return {};
 }

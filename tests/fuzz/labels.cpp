@@ -50,7 +50,7 @@ Crowd crowd(Bytes& in) {
     if (kind % 2 == 0 && !made.lines.empty()) {
       label.naming = Naming{{from, label.to.value_or(from)}, {}};
       for (const Obstacle& line : made.lines)
-        (line.heavy ? label.naming->vectors : label.naming->others).emplace_back(line.from, line.to);
+        (line.heavy ? label.naming->not_between : label.naming->others).emplace_back(line.from, line.to);
     }
     made.labels.push_back(label);
   }
