@@ -305,7 +305,8 @@ TEST_CASE("no link lies between an arc and its letters") {
     Figure figure;
     const Point on_arc = centre + radius * direction(towards), foot = centre + (radius + beyond) * direction(towards);
     const Segment link{foot - 30 * left_of(direction(towards)), foot + 30 * left_of(direction(towards))};
-    figure.marks = {Rotation{centre, radius, towards - 0.65, towards + 0.65}, Line{segment(link.first, link.second), Meaning::link}};
+    figure.marks = {Rotation{centre, radius, towards - 0.65, towards + 0.65},
+                    Line{segment(link.first, link.second), Meaning::link}};
     figure.labels = {{"$ω_{2}$", on_arc, {}, Meaning::text, centre}};
     const Point letters = middle(boxes(figure).at(0));
     CAPTURE(beyond);
