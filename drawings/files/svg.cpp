@@ -206,7 +206,7 @@ class Writer {
   explicit Writer(const Page& page) : page_(page), frame_(page.extent) {}
 
   std::string write() {
-    count_pairs();
+    join_letters();
     for (std::size_t i = 0; i < page_.primitives.size(); ++i) {
       const Primitive& primitive = page_.primitives[i];
       const auto* fill = std::get_if<Fill>(&primitive);
@@ -251,7 +251,9 @@ class Writer {
     if (words.empty()) return;
     begin_letters(text);
     const double unit = text.size / units_per_em;
-    add_letters(letters_of(set, unit));
+    const auto joined = rows_.find(&text);
+    for (const Placed& each : joined != rows_.end() ? joined->second : row_of(text))
+      add_use(body_, elements_[each.element], each.x, each.y);
     if (!set.arrows.empty()) add_arrows(set.arrows, unit);
     add_words(words, {}, std::lround(set.extent.width / unit));
     body_ += "</g>\n";
@@ -303,25 +305,25 @@ class Writer {
   void table(const std::vector<PlacedText>& cells) {
     begin_letters(cells.front());
     const double unit = cells.front().size / units_per_em;
-    std::map<long, Stack> columns;  // by x
+    std::map<long, Row> columns;  // by x
     for (const PlacedText& cell : cells)
-      for (const Letter& letter : letters_of(set(cell), unit, cell.baseline - cells.front().baseline)) {
-        define(*letter.outline);
-        columns[letter.x].push_back({letter.scale == 1 ? letter.outline->id : scaled_id(letter), letter.y});
-      }
-    for (auto& [x, column] : columns)
-      std::stable_sort(column.begin(), column.end(), [](const Stacked& a, const Stacked& b) { return a.y < b.y; });
-    while (joined(columns)) {
+      for (const Letter& letter : letters_of(set(cell), unit, cell.baseline - cells.front().baseline))
+        columns[letter.x].push_back({element(letter), 0, letter.y});
+    std::vector<Row*> all;
+    for (auto& [x, column] : columns) {
+      std::stable_sort(column.begin(), column.end(), [](const Placed& a, const Placed& b) { return a.y < b.y; });
+      all.push_back(&column);
     }
+    join(all);
     for (const auto& [x, column] : columns) {
       if (column.size() == 1) {
-        add_use(body_, column.front().id, x, column.front().y);
+        add_use(body_, elements_[column.front().element], x, column.front().y);
         continue;
       }
       body_ += "<g transform=\"translate(";
       add_whole(body_, x);
       body_ += ")\">";
-      for (const Stacked& each : column) add_use(body_, each.id, 0, each.y);
+      for (const Placed& each : column) add_use(body_, elements_[each.element], 0, each.y);
       body_ += "</g>\n";
     }
     for (auto row = cells.begin(); row != cells.end();) {
@@ -344,43 +346,88 @@ class Writer {
 
   static const SetText& set(const PlacedText& text) { return typeset(text.text, text.size, text.weight); }
 
-  // What stands in a column of letters: an element and its y.
-  struct Stacked {
-    std::string id;
-    long y;
+  // What stands in a row of letters, or in a column of them: which of the elements, and where.
+  struct Placed {
+    std::size_t element;
+    long x, y;
   };
-  using Stack = std::vector<Stacked>;
+  using Row = std::vector<Placed>;
+  // Two side by side, and how far the second is from the first.
+  struct Two {
+    std::size_t first, second;
+    long x, y;
+    bool operator==(const Two&) const = default;
+  };
+  struct HashOfTwo {
+    std::size_t operator()(const Two& two) const {
+      constexpr std::size_t odd = 0x9E3779B97F4A7C15;
+      std::size_t hash = two.first;
+      for (const std::size_t next : {two.second, static_cast<std::size_t>(two.x), static_cast<std::size_t>(two.y)})
+        hash = (hash ^ next) * odd;
+      return hash;
+    }
+  };
+  static Two two(const Row& row, std::size_t i) {
+    return {row[i].element, row[i + 1].element, row[i + 1].x - row[i].x, row[i + 1].y - row[i].y};
+  }
 
-  // Of the elements that often stand one below the other, at one distance, each two become one; none: false.
-  bool joined(std::map<long, Stack>& columns) {
+  // Of the elements that often stand side by side, at one distance, each two become one, and so on: words that come
+  // again are a part of the bytes that their letters are.
+  void join(const std::vector<Row*>& rows) {
+    while (join_once(rows)) {
+    }
+  }
+  bool join_once(const std::vector<Row*>& rows) {
     constexpr int often = 3;  // as seldom as it pays
-    using Two = std::tuple<std::string, std::string, long>;
-    std::map<Two, int> times;
-    const auto two = [](const Stack& column, std::size_t i) {
-      return Two{column[i].id, column[i + 1].id, column[i + 1].y - column[i].y};
-    };
-    for (const auto& [x, column] : columns)
-      for (std::size_t i = 0; i + 1 < column.size(); ++i) ++times[two(column, i)];
+    std::unordered_map<Two, int, HashOfTwo> times;
+    for (const Row* row : rows)
+      for (std::size_t i = 0; i + 1 < row->size(); ++i) ++times[two(*row, i)];
     bool any = false;
-    for (auto& each : columns) {
-      Stack &column = each.second, shorter;
-      for (std::size_t i = 0; i < column.size(); ++i) {
-        const auto count = [&](std::size_t at) { return at + 1 < column.size() ? times[two(column, at)] : 0; };
-        shorter.push_back(column[i]);
+    for (Row* row : rows) {
+      Row shorter;
+      for (std::size_t i = 0; i < row->size(); ++i) {
+        const auto count = [&](std::size_t at) { return at + 1 < row->size() ? times[two(*row, at)] : 0; };
+        shorter.push_back((*row)[i]);
         if (count(i) < often || count(i + 1) > count(i)) continue;
-        shorter.back().id = stacked_id(two(column, i++));
+        shorter.back().element = element(two(*row, i++));
         any = true;
       }
-      column = std::move(shorter);
+      *row = std::move(shorter);
     }
     return any;
   }
-  std::string stacked_id(const std::tuple<std::string, std::string, long>& two) {
-    const auto& [upper, lower, y] = two;
+
+  // The letters of all texts that are in no table.
+  void join_letters() {
+    std::vector<Row*> all;
+    for (const Primitive& primitive : page_.primitives)
+      if (const auto* text = std::get_if<PlacedText>(&primitive); text && !text->row)
+        all.push_back(&(rows_[text] = row_of(*text)));
+    join(all);
+  }
+  Row row_of(const PlacedText& text) {
+    Row row;
+    for (const Letter& letter : letters_of(set(text), text.size / units_per_em))
+      row.push_back({element(letter), letter.x, letter.y});
+    return row;
+  }
+
+  std::size_t element(const Letter& letter) {
+    define(*letter.outline);
+    return numbered(letter.scale == 1 ? letter.outline->id : scaled_id(letter));
+  }
+  std::size_t element(const Two& two) {
+    const auto [found, is_new] = joined_.try_emplace(two);
+    if (!is_new) return found->second;
     std::string content = ">";
-    add_use(content, upper, 0, 0);
-    add_use(content, lower, 0, y);
-    return defined("g", 'p', content += "</g>\n");
+    add_use(content, elements_[two.first], 0, 0);
+    add_use(content, elements_[two.second], two.x, two.y);
+    return found->second = numbered(defined("g", 'p', content += "</g>\n"));
+  }
+  std::size_t numbered(const std::string& id) {
+    const auto [found, is_new] = numbers_.try_emplace(id, elements_.size());
+    if (is_new) elements_.push_back(id);
+    return found->second;
   }
 
   std::string head() const {
@@ -433,12 +480,22 @@ class Writer {
     add_stroke(ink, stroke);
     change_ink(ink);
   }
-  // Marks in the same ink that follow each other share a group.
+  // Marks in the same ink that follow each other share a group; one alone bears its ink itself.
   void change_ink(const std::string& ink) {
     if (ink == ink_) return;
-    if (!ink_.empty()) body_ += "</g>\n";
+    if (!ink_.empty()) end_ink();
+    ink_at_ = body_.size();
     if (!ink.empty()) ((body_ += "<g") += ink) += ">\n";
     ink_ = ink;
+  }
+  void end_ink() {
+    const std::size_t marks = ink_at_ + 2 + ink_.size() + 2;  // after <g INK> and the end of the line
+    if (std::count(body_.begin() + static_cast<std::ptrdiff_t>(marks), body_.end(), '\n') > 1) {
+      body_ += "</g>\n";
+      return;
+    }
+    constexpr std::string_view path = "<path";
+    body_.replace(ink_at_, marks + path.size() - ink_at_, std::string(path) + ink_);
   }
 
   auto steps() const {
@@ -504,12 +561,12 @@ class Writer {
     to += '"';
     add_opacity(to, "stroke-opacity", stroke.colour);
     to += " stroke-width=\"";
-    add_decimal(to, stroke.width * steps_per_mm, 3);
+    add_whole(to, std::lround(stroke.width * steps_per_mm));
     to += '"';
     if (stroke.dashes.empty()) return;
     to += " stroke-dasharray=\"";
     for (const double dash : stroke.dashes) {
-      add_decimal(to, dash * steps_per_mm, 3);
+      add_whole(to, std::lround(dash * steps_per_mm));
       to += ' ';
     }
     to.back() = '"';
@@ -527,44 +584,6 @@ class Writer {
     ((to += ' ') += attribute) += "=\"";
     add_decimal(to, colour.opacity, 5);
     to += '"';
-  }
-
-  // What letters_of found side by side, at the same distance: two letters of the size of their text.
-  using Pair = std::tuple<const Outline*, const Outline*, long, long>;
-  static Pair pair(const Letter& first, const Letter& second) {
-    return {first.outline, second.outline, second.x - first.x, second.y - first.y};
-  }
-
-  void count_pairs() {
-    for (const Primitive& primitive : page_.primitives)
-      if (const auto* text = std::get_if<PlacedText>(&primitive); text && !text->row) {
-        const std::vector<Letter> letters =
-            letters_of(typeset(text->text, text->size, text->weight), text->size / units_per_em);
-        for (std::size_t i = 1; i < letters.size(); ++i)
-          if (letters[i - 1].scale == 1 && letters[i].scale == 1) ++pairs_[pair(letters[i - 1], letters[i])];
-      }
-  }
-
-  // Two letters that often stand side by side are one element: a third of a page of words.
-  void add_letters(const std::vector<Letter>& letters) {
-    constexpr int often = 5;  // as seldom as it pays
-    for (std::size_t i = 0; i < letters.size(); ++i) {
-      const Letter& letter = letters[i];
-      define(*letter.outline);
-      if (letter.scale != 1) {
-        add_use(body_, scaled_id(letter), letter.x, letter.y);
-        continue;
-      }
-      if (i + 1 < letters.size() && letters[i + 1].scale == 1) {
-        const Pair both = pair(letter, letters[i + 1]);
-        if (pairs_[both] >= often) {
-          define(*letters[++i].outline);
-          add_use(body_, pair_id(both), letter.x, letter.y);
-          continue;
-        }
-      }
-      add_use(body_, letter.outline->id, letter.x, letter.y);
-    }
   }
 
   static void add_use(std::string& to, std::string_view id, long x, long y) {
@@ -605,14 +624,6 @@ class Writer {
     return defined("use", 's', content);
   }
 
-  std::string pair_id(const Pair& pair) {
-    const auto& [first, second, x, y] = pair;
-    std::string content = ">";
-    add_use(content, first->id, 0, 0);
-    add_use(content, second->id, x, y);
-    return defined("g", 'p', content += "</g>\n");
-  }
-
   // The id of a definition that goes on so after its id.
   std::string defined(std::string_view element, char kind, const std::string& content) {
     std::string id = content_id(kind, content);
@@ -650,9 +661,13 @@ class Writer {
   const Page& page_;
   Frame frame_;
   std::string definitions_, body_;
-  std::string ink_;  // of the open group; empty: none is open
+  std::string ink_;         // of the open group; empty: none is open
+  std::size_t ink_at_ = 0;  // where it begins in the body
   std::unordered_set<std::string> defined_, marks_;
-  std::map<Pair, int> pairs_;  // how often
+  std::vector<std::string> elements_;                     // that letters are drawn with: their ids
+  std::unordered_map<std::string, std::size_t> numbers_;  // in elements_
+  std::unordered_map<Two, std::size_t, HashOfTwo> joined_;
+  std::unordered_map<const PlacedText*, Row> rows_;
 };
 
 }  // namespace

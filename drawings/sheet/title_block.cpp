@@ -52,14 +52,23 @@ struct TitleLines {
   double source_part() const { return 3.6 + 3.8 * static_cast<double>(source.size()) + 1.0; }
 };
 
+// A letter or a short word is no line of its own: then they are all of nearly one length.
+std::vector<std::string> wrap_title(const std::string& title, double room) {
+  constexpr double short_line = 0.3;  // of the room
+  std::vector<std::string> lines = wrap(title, sheet_title_size, room, Weight::bold);
+  if (lines.size() > 1 && measure(lines.back(), sheet_title_size, Weight::bold).width < short_line * room)
+    return wrap_evenly(title, sheet_title_size, room, Weight::bold);
+  return lines;
+}
+
 TitleLines title_lines(const Sheet& sheet) {
   const double room = title_block_width(sheet.paper) - 2 * inset;
   const TitleBlock& block = sheet.title_block;
   const auto lines = [&](const std::string& text, double size, Weight weight) {
-    return text.empty() ? std::vector<std::string>{} : wrap_evenly(text, size, room, weight);
+    return text.empty() ? std::vector<std::string>{} : wrap(text, size, room, weight);
   };
   return {lines(block.heading, text_size, Weight::regular), lines(block.exercise, text_size, Weight::regular),
-          lines(block.sheet, sheet_title_size, Weight::bold), lines(block.source, text_size, Weight::regular)};
+          wrap_title(block.sheet, room), lines(block.source, text_size, Weight::regular)};
 }
 
 class TitleInk {

@@ -105,8 +105,9 @@ class Wrapped {
       : size_(size), width_(width), weight_(weight), space_(measure(" ", size, weight).width) {}
 
   void add(const Words& formula) {
+    double own = -space_;
+    for (const std::string& word : formula) own += space_ + measure(word, size_, weight_).width;
     const std::string text = in_a_row(formula);
-    const double own = measure(text, size_, weight_).width;
     if (fits(text, own)) {
       lines_.back() += " " + text;
       pen_ += space_ + own;

@@ -1,5 +1,8 @@
 #include "exercises/cli/class_journal.h"
 
+#include <fmt/format.h>
+#include <zlib.h>
+
 #include <cerrno>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -11,11 +14,21 @@
 namespace epure {
 namespace {
 
-std::string line_of(const std::string& student, const ClassEntry& entry) {
-  const nlohmann::json line{{"student", student},        {"givens", entry.givens},   {"values", entry.values},
-                            {"scales", entry.scales},    {"remarks", entry.remarks}, {"question", entry.question},
-                            {"rejected", entry.rejected}};
-  return line.dump() + "\n";
+std::string record_of(const std::string& student, const ClassEntry& entry) {
+  const nlohmann::json record{{"student", student},        {"givens", entry.givens},   {"values", entry.values},
+                              {"scales", entry.scales},    {"remarks", entry.remarks}, {"question", entry.question},
+                              {"rejected", entry.rejected}};
+  return record.dump();
+}
+
+// A record behind its check: what a disk or an editor has changed is not taken for a student's.
+std::string sealed(const std::string& record) {
+  const auto* bytes = reinterpret_cast<const Bytef*>(record.data());
+  return fmt::format("{:08x} {}", crc32_z(0, bytes, record.size()), record);
+}
+bool is_sealed(const std::string& line) {
+  constexpr std::size_t check = 9;
+  return line.size() > check && sealed(line.substr(check)) == line;
 }
 
 }  // namespace
@@ -27,18 +40,18 @@ ClassJournal::ClassJournal(const std::filesystem::path& folder, const std::strin
   std::ifstream in(path_, std::ios::binary);
   std::string line;
   if (in && std::getline(in, line) && line == inputs) {
-    // What was cut short has no line's end, or is no JSON.
+    // What was cut short has no line's end, or another check.
     while (std::getline(in, line) && !in.eof()) {
-      const auto found = nlohmann::json::parse(line, nullptr, false);
-      if (found.is_discarded()) continue;
-      entries_[found.value("student", "")] = {found["givens"],  found["values"],   found["scales"],
-                                              found["remarks"], found["question"], found["rejected"]};
+      if (!is_sealed(line)) continue;
+      const auto found = nlohmann::json::parse(line.substr(line.find(' ')));
+      entries_[found["student"]] = {found["givens"],  found["values"],   found["scales"],
+                                    found["remarks"], found["question"], found["rejected"]};
     }
   }
   in.close();
   // Begun anew also where it goes on: what was cut short must not run into the next line.
   std::string text = inputs + "\n";
-  for (const auto& [student, entry] : entries_) text += line_of(student, entry);
+  for (const auto& [student, entry] : entries_) text += sealed(record_of(student, entry)) + "\n";
   drawings::write_whole(path_, text);
 }
 
@@ -51,7 +64,9 @@ const ClassEntry* ClassJournal::entry_of(const Candidate& student) const {
   return found == entries_.end() ? nullptr : &found->second;
 }
 
-void ClassJournal::add(const Candidate& student, const ClassEntry& entry) { write(line_of(name_of(student), entry)); }
+void ClassJournal::add(const Candidate& student, const ClassEntry& entry) {
+  write(sealed(record_of(name_of(student), entry)) + "\n");
+}
 
 void ClassJournal::write(const std::string& line) {
   const std::scoped_lock lock(one_at_a_time_);

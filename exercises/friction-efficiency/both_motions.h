@@ -28,8 +28,8 @@ std::string turned_from(const std::string& normal, Language language);
 void press(FreeBodyPanel& panel, const Case& of, const PolygonSide& R, const Place& X, double normal, const Arrow2& v,
            const std::string& ji, const std::string& letters_of_normal = {});
 
-inline const Words the_other_way{"Retrograde motion: the same polygons with the forces turned the other way.",
-                                 "Moto retrogrado: gli stessi poligoni con le forze ruotate dall'altra parte."};
+inline const Words the_other_way{"Retrograde motion: the forces turned the other way.",
+                                 "Moto retrogrado: le forze ruotate dall'altra parte."};
 // The same where lines of action are to be found anew.
 Words other_lines(const std::string& english, const std::string& italian);
 // What the retrograde motion has in place of something.

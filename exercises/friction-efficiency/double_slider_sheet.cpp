@@ -30,7 +30,7 @@ PanelSheet double_slider(const Solution& s, Language language) {
     const Arrow2 along = (1 / distance(P, other)) * (other - P);
     constexpr double reaches = 0.0016;  // m
     Mechanism pin;
-    pin.point(X, P, Joint::none, "$" + X + "$").axis(P + -reaches * along, P + reaches * along, "$AB$");
+    pin.point(X, P, Joint::none, "$" + X + "$").axis(P + -reaches * along, P + reaches * along);
     FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(pin)));
     panel.at_most(5000).friction_circle(P, T, "$ρ$").force(R, T);
     panel.line_to(T, T + -reaches / magnitude(R.v) * R.v, "$t$");
@@ -64,12 +64,10 @@ PanelSheet double_slider(const Solution& s, Language language) {
   FreeBodyPanel whole(double_slider_figure(of, Origin::none));
   whole.to_scale().at_most(200).load(of.load("Q", "", ""), A).effort(of.known(P_of(direct), "", ""), B, Arrow::ends);
   FreeBodyPanel on_A = detail("A", R_32), on_B = detail("B", R_34);
-  on_A.step({"The pins turn in the link: its force runs along the line $t$ that touches both friction circles, $ρ$ = "
-             "$r$ sin $φ$, on the sides on which it hinders their turning; so $t$ crosses $AB$ at the angle $δ$, sin "
-             "$δ$ = 2$ρ$/$l$.",
-             "I perni ruotano nell'asta: la sua forza corre lungo la retta $t$ tangente ai due cerchi d'attrito, $ρ$ "
-             "= $r$ sen $φ$, dalle parti che ne ostacolano la rotazione; perciò $t$ taglia $AB$ sotto l'angolo $δ$, "
-             "sen $δ$ = 2$ρ$/$l$."},
+  on_A.step({"The link's force runs along $t$, touching both friction circles, $ρ$ = $r$ sin $φ$, against the pins' "
+             "turning; sin $δ$ = 2$ρ$/$l$.",
+             "La forza dell'asta corre lungo $t$, tangente ai due cerchi d'attrito, $ρ$ = $r$ sen $φ$, in modo da "
+             "ostacolare i perni; sen $δ$ = 2$ρ$/$l$."},
             of.place("on_A" + direct));
   std::vector<Result> results = efficiencies(of, "P", language);
   // P and the efficiencies the table tells, beside those with ideal hinges.

@@ -200,7 +200,6 @@ PanelSheet acceleration_sheet(const Solution& s, Language) {
 PanelSheet acceleration_pole_sheet(const Solution& s, Language) {
   const bool is_at_O = is_centre_at_O(s);
   PolesPanel::Kind kind = PolesPanel::of_acceleration();
-  kind.longest_on_paper = 75;         // mm: there are but two vectors, and nothing else
   if (is_at_O) kind.letters.clear();  // O bears both
   const std::vector<std::string> accelerated =
       is_at_O ? std::vector<std::string>{"A"} : std::vector<std::string>{"O", "A"};

@@ -349,11 +349,11 @@ TEST_CASE("a named mark is one element; a name given again is counted") {
   CHECK(stroke.red == 0);
   CHECK(stroke.green == Approx(blue.green).epsilon(1e-7));
   CHECK(stroke.blue == Approx(blue.blue).epsilon(1e-7));
-  const double decimals = 0.0005 * file_resolution * (1 + 1e-6);
-  CHECK(std::stod(style(dashed, "stroke-width")) * svg.mm() == Approx(0.25).margin(decimals).epsilon(0));
+  const double half_a_step = svg.mm() / 2 * (1 + 1e-6);
+  CHECK(std::stod(style(dashed, "stroke-width")) * svg.mm() == Approx(0.25).margin(half_a_step).epsilon(0));
   const std::string dashes = style(dashed, "stroke-dasharray");
-  CHECK(std::stod(dashes) * svg.mm() == Approx(3).margin(decimals).epsilon(0));
-  CHECK(std::stod(dashes.substr(dashes.find(' ') + 1)) * svg.mm() == Approx(1).margin(decimals).epsilon(0));
+  CHECK(std::stod(dashes) * svg.mm() == Approx(3).margin(half_a_step).epsilon(0));
+  CHECK(std::stod(dashes.substr(dashes.find(' ') + 1)) * svg.mm() == Approx(1).margin(half_a_step).epsilon(0));
   const std::string clip = dashed.attribute("clip-path").value();
   const pugi::xml_node window = svg.element(clip.substr(5, clip.size() - 6)).child("rect");
   const auto in_mm = [&](const char* name) { return svg.mm() * window.attribute(name).as_double(); };

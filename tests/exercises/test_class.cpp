@@ -212,7 +212,7 @@ TEST_CASE("class: what the journal knows is not drawn again, and nothing else is
   fs::remove_all(in_class("6-blank.pdf"));
   // Cut short in the middle, as by another program, and at the end, as by a kill.
   const auto second = journal.find('\n', journal.find('\n') + 1);
-  journal.insert(second + 1, "{\"student\":\n");
+  journal.insert(second + 1, "{\"student\":\n{}\n[]\nnull\n" + journal.substr(0, journal.find('\n') + 1));
   journal += "{\"student\":\"[";
   // How many of the five are drawn anew.
   const auto drawn_anew = [&](const std::vector<std::string>& with, const std::vector<std::string>& more = lots) {
@@ -229,6 +229,13 @@ TEST_CASE("class: what the journal knows is not drawn again, and nothing else is
   };
   CHECK(drawn_anew(words) == 0);
   CHECK(contents(in_class("key.csv")) == key);
+  // A bit that turned in what was found.
+  const std::string whole = journal;
+  const auto digit = journal.find_first_of("123456789", journal.find("\"values\":"));
+  journal[digit] = journal[digit] == '1' ? '2' : '1';
+  CHECK(drawn_anew(words) == 1);
+  CHECK(contents(in_class("key.csv")) == key);
+  journal = whole;
   fs::remove(in_class("1-solution.pdf"));
   CHECK(drawn_anew(words) == 1);
   const auto but_for = [&](std::size_t i, const std::string& text) {

@@ -283,9 +283,13 @@ void add_bars(const std::vector<PlacedPanel>& panels, DrawnSheet& onto, const Sh
   std::vector<const PlacedPanel*> told_apart = figures;
   if (figures.size() > 2)
     std::erase_if(told_apart, [&](const PlacedPanel* each) { return is_told_in_frames(each->lengths, panels); });
-  if (told_apart.size() > 2)
+  // Words tell the whole from what is larger; where some part is smaller than the whole they cannot.
+  const bool is_part_smaller = told_apart.size() == 2 && !stand_apart(panels, *told_apart[0], *told_apart[1]) &&
+                               told_apart[0]->lengths.mm_per_unit > told_apart[1]->lengths.mm_per_unit;
+  if (told_apart.size() > 2 || is_part_smaller)
     for (const PlacedPanel& each : panels)
       if (has_lengths(each) && !is_close_up(each)) write_scale_below(each, onto);
+  if (is_part_smaller) told_apart.clear();
   std::vector<Scale> bars;
   std::vector<std::string> captions;  // the title block has no room for the words
   for (const PlacedPanel* figure : figures) {

@@ -75,7 +75,7 @@ std::vector<Place> shortest_link(const DrawnJoints& drawn, double least) {
 // so of vectors, where such a one has its value beside it.
 std::vector<Place> largest_crowd(const std::vector<Place>& points, double mm_per_unit, double least,
                                  bool are_of_vectors) {
-  constexpr double one_to_the_eye = 2;  // mm: crosses are as wide
+  constexpr double one_to_the_eye = 1;  // mm
   // Three letters find room around their points; but the sides of a polygon have letters too.
   const double in_the_way = are_of_vectors ? 6 : 4.5;  // mm
   const std::size_t crowd = are_of_vectors ? 3 : 4;
@@ -449,10 +449,11 @@ drawings::Box seen_in(const PlacedPanel& close_up, const PlacedPanel& whole) {
 void leave_to_close_up(const PlacedPanel& close_up, const PlacedPanel& whole, const DrawnSoFar& before,
                        DrawnSheet& onto) {
   const drawings::Box seen = seen_in(close_up, whole);
-  // Of a polygon a long side that begins there is seen in the whole.
+  // Of a polygon a long side that begins or ends there is seen in the whole.
   const auto leads_out = [&](const drawings::Mark& mark) {
     const auto* arrow = std::get_if<drawings::Arrow>(&mark);
-    return arrow && whole.panel->is_of_vectors() && !drawings::contains(seen, arrow->to);
+    return arrow && whole.panel->is_of_vectors() &&
+           !(drawings::contains(seen, arrow->from) && drawings::contains(seen, arrow->to));
   };
   drawings::Figure& figure = onto.sheet.figure;
   std::set<std::size_t> marks, labels, measurements;

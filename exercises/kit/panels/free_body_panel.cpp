@@ -256,8 +256,14 @@ drawings::Box FreeBodyPanel::extent_of_near(const Scale& scale, const Scale& vec
     constexpr double reached = 14;  // mm of the arrow along the surface
     extent.include(scale, on_line(each.X, each.along, reached, scale.mm_per_unit), letters);
   }
-  for (const Arm& each : arms_)
+  for (const Arm& each : arms_) {
+    const drawings::Point p{scale.mm_per_unit * each.about.x, scale.mm_per_unit * each.about.y},
+        q{scale.mm_per_unit * each.foot.x, scale.mm_per_unit * each.foot.y};
     for (const Place& P : {each.about, each.foot}) extent.include(scale, P, letters);
+    if (each.left == 0 || drawings::distance(p, q) == 0) continue;
+    const drawings::Point aside = each.left * drawings::left_of(drawings::unit(p, q));  // where it is dimensioned
+    for (const drawings::Point& end : {p + aside, q + aside}) extent.include(end.x, end.y);
+  }
   return extent.box();
 }
 

@@ -43,6 +43,13 @@ std::vector<PolesStep> steps_to_pole(int link, const std::string& A, const std::
            Where::ray, B}};
 }
 
+std::vector<PolesStep> without_pole(int link) {
+  return {{format_words(
+      "Link {} neither turns nor begins to: all of it has one acceleration, and {} is at infinity.",
+      "Il membro {} non ruota, né comincia a farlo: ha tutto una sola accelerazione, e {} è all'infinito.", link,
+      letters_of_pole(link))}};
+}
+
 // All of a sheet show one mechanism, and at one scale.
 class LinkPolePanel : public PolesPanel {
  public:
@@ -65,7 +72,7 @@ PanelSheet poles_sheet(const Scene& scene, const Solution& s, std::size_t page) 
     kind.pole = acceleration_centre(link).name;
     kind.letters = letters_of_pole(link);
     LinkPolePanel panel(s, figure, kind, {points.front(), points.back()},
-                        steps_to_pole(link, points.front(), points.back()));
+                        s.point(kind.pole) ? steps_to_pole(link, points.front(), points.back()) : without_pole(link));
     panel.coordinates_from({0, 0});
     sheet.panels.push_back(std::make_unique<LinkPolePanel>(std::move(panel)));
     add_in_lines(sheet, {angular_velocity(link).name, angular_acceleration(link).name}, 2);

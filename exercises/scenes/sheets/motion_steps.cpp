@@ -151,6 +151,7 @@ class MotionWriter {
     for (const std::string& X : points) add((is_of_velocities_ ? velocity(X) : acceleration(X)).arrow());
     for (const DyadEquation::TurningRod& rod : equation.rods)
       add((is_of_velocities_ ? angular_velocity : angular_acceleration)(rod.link).symbol);
+    if (found.empty()) return;  // of a line on a line alone
     steps_.push_back({format_words("{}: by the polygon, {}.", "{}: con il poligono, {}.", found, sheet)});
   }
 
