@@ -240,7 +240,8 @@ class ClassSet {
                        {"title", options_.titles.title},
                        {"number", options_.titles.sheet_number},
                        {"moodle", is_moodle_},
-                       {"csv", style_.is_for_spreadsheet}};
+                       {"csv", style_.is_for_spreadsheet},
+                       {"mechanism", options_.mechanisms}};
     return all.dump();
   }
 

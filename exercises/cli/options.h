@@ -37,6 +37,7 @@ struct Options {
     bench
   } verb = Verb::list;
   std::vector<std::string> names;  // ID, ID/SHEET, all
+  std::string mechanisms = {};     // what the files say that are named, one after the other
   std::vector<std::string> assignments, measured;
   std::optional<std::string> givens_file;
   std::vector<std::string> variations, quantities;  // of a sweep, a class

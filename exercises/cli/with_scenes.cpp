@@ -60,6 +60,7 @@ Scenes read_scenes(const Options& options) {
     auto found = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == file; });
     if (found == known.end()) {
       const std::string bytes = scenes::bytes_of(file);
+      read.options.mechanisms += bytes;
       std::unique_ptr<Exercise> exercise = scenes::truss_of_text(file, bytes);
       read.files.push_back(exercise ? nullptr : std::make_shared<const scenes::Scene>(file, bytes));
       if (!exercise) exercise = scenes::scene_exercise(read.files.back());

@@ -14,6 +14,7 @@
 #include "exercises/cli/csv_reader.h"
 #include "exercises/cli/run.h"
 #include "exercises/kit/proof/solution.h"
+#include "exercises/scenes/shipped.h"
 #include "tests/exercises/run.h"
 #include "tests/support/catch.h"
 
@@ -257,6 +258,25 @@ TEST_CASE("class: what the journal knows is not drawn again, and nothing else is
   CHECK(cell(key_in(scratch.path()), 0, "scale poles") == "0.02");
   write("one.csv", "number,l\n1,0.51\n");  // the number of a student who is there, with givens of his own
   CHECK(drawn_anew({"slider-crank-velocity/poles", "--givens", "one.csv"}) == 1);
+}
+
+TEST_CASE("class: a mechanism's file that was edited since is drawn anew for all", "[class]") {
+  const Scratch scratch;
+  const std::vector<std::string> words{"m.yaml/velocities", "--count", "3"}, vary{"--vary", "phi=40..60/3"};
+  const std::string made = "out/parallelogram-velocities-class/";
+  std::string text(scenes::shipped_scene("parallelogram")->text);
+  write("m.yaml", text);
+  fs::create_directories(made + "3-blank.pdf/in-the-way");
+  REQUIRE(make(words, vary).exit == 3);
+  REQUIRE(contents(made + "unfinished.jsonl").find("value: 200 mm") != std::string::npos);
+  fs::remove_all(made + "3-blank.pdf");
+  text.replace(text.find("value: 200 mm"), 13, "value: 210 mm");
+  write("m.yaml", text);
+  REQUIRE(make(words, vary).exit == 0);
+  const std::string key = contents(made + "key.csv");
+  fs::remove_all("out");
+  REQUIRE(make(words, vary).exit == 0);
+  CHECK(contents(made + "key.csv") == key);
 }
 
 TEST_CASE("class: no name of a student leaves the folder", "[class]") {
