@@ -459,13 +459,13 @@ void leave_to_close_up(const PlacedPanel& close_up, const PlacedPanel& whole, co
   std::set<std::size_t> marks, labels, measurements;
   std::set<PaperEnds> vectors, stay;
   for (std::size_t i = before.marks; i < figure.marks.size(); ++i) {
-    const auto at = place_of(figure.marks[i]);
-    if (!at || !drawings::contains(seen, *at)) continue;
     if (leads_out(figure.marks[i])) {
       const auto& arrow = std::get<drawings::Arrow>(figure.marks[i]);
       stay.insert(paper_ends(arrow.from, arrow.to));
       continue;
     }
+    const auto at = place_of(figure.marks[i]);
+    if (!at || !drawings::contains(seen, *at)) continue;
     marks.insert(i);
     if (const auto* arrow = std::get_if<drawings::Arrow>(&figure.marks[i]))
       vectors.insert(paper_ends(arrow->from, arrow->to));
