@@ -22,7 +22,8 @@ struct ClassEntry {
 };
 
 // A line for each student in the file unfinished.jsonl of the folder, after a line that says of what run they are. A
-// journal of another run is begun anew; a line that was cut short, or changed by anybody, counts for nothing. Several threads may use it.
+// journal of another run is begun anew; a line that was cut short, or changed by anybody, counts for nothing. Several
+// threads may use it.
 class ClassJournal {
  public:
   // Makes the folder, and clears away the drafts that a killed run left in it. Throws drawings::CannotWrite.
