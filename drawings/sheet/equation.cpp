@@ -14,7 +14,7 @@ namespace {
 
 using Term = VectorEquation::Term;
 
-constexpr double caption = 0.85;  // of the letters' size
+constexpr double of_caption = 0.85;  // of the letters' size
 
 // One term's place: its operator and itself.
 struct TermColumn {
@@ -89,7 +89,7 @@ double tallest(const EquationLine& line, double size) {
 
 // The vectors, a rule, under it their directions and magnitudes, these rows named.
 void set_line(Galley& galley, const EquationLine& line, double left, const EquationLetters& set, Language language) {
-  const double size = set.size, gap = set.gap, small = caption * size, row = 1.5 * size;
+  const double size = set.size, gap = set.gap, small = of_caption * size, row = 1.5 * size;
   galley.down(0.2 * size * galley.air());
   const double first = galley.top() - std::max(tallest(line, size), 0.76 * size);
   const double rule = first - 0.6 * size, second = rule - 1.15 * size, third = second - row;
@@ -113,7 +113,7 @@ void set_line(Galley& galley, const EquationLine& line, double left, const Equat
 // On one line if it has room there: closer together, then with smaller letters below.
 EquationLetters letters_of(const VectorEquation& equation, double size, double room) {
   constexpr std::array gaps{0.75, 0.55, 0.4, 0.28};
-  for (const double below : {1.0, 0.92, caption})
+  for (const double below : {1.0, 0.92, of_caption})
     for (const double gap : gaps)
       if (const EquationLetters set{size, below * size, gap * size};
           width(measure_columns(equation, set), set.gap) <= room)
@@ -124,7 +124,7 @@ EquationLetters letters_of(const VectorEquation& equation, double size, double r
 }  // namespace
 
 void set_block(Galley& galley, const VectorEquation& equation, Language language) {
-  const double size = galley.size(), small = caption * size;
+  const double size = galley.size(), small = of_caption * size;
   const double captions =
       std::max(measure(words(language).direction, small).width, measure(words(language).magnitude, small).width) +
       size;
