@@ -38,8 +38,8 @@ double shortest_leg(const std::vector<std::pair<Place, Place>>& links, const Pla
 
 // The side of an angle that is no line of the mechanism: thin, a little beyond the arc.
 void draw_leg(Plot& plot, const Place& vertex, double direction, double radius) {
-  constexpr double past_arc = 3;  // mm
-  const double length = (radius + past_arc) / plot.scale().mm_per_unit;
+  constexpr double beyond_arc = 3;  // mm
+  const double length = (radius + beyond_arc) / plot.scale().mm_per_unit;
   plot.segment(vertex, vertex + length * Arrow2{std::cos(direction), std::sin(direction)}, Meaning::construction);
 }
 
