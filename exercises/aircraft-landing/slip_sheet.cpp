@@ -12,14 +12,14 @@ namespace {
 std::vector<Result> closed_form(const Landing& of, Language language) {
   const auto told = [&](const Words& words) { return remark(words.in(language)); };
   const geometry::analytic::SpinUp law = of.law();
-  const std::string turning = "($f_{r}$ − $f_{v}$)$\\it{R}$/$\\it{J}_{r}$";
+  const std::string by_couple = "($f_{r}$ − $f_{v}$)$\\it{R}$/$\\it{J}_{r}$";
   const Words laws =
       Words{"d$v$/d$t$ = −($\\it{A}$ + $\\it{B}v^{2}$), d$ω$/d$t$ = $\\it{C}$ + $\\it{D}v^{2}$, with ",
             "d$v$/d$t$ = −($\\it{A}$ + $\\it{B}v^{2}$), d$ω$/d$t$ = $\\it{C}$ + $\\it{D}v^{2}$, con "} +
       Words{"$\\it{A}$ = $f_{r}g$, $\\it{B}$ = ($f_{r}c_{y}$ + $c_{x}$)/$\\it{M}$, ",
             "$\\it{A}$ = $f_{r}g$, $\\it{B}$ = ($f_{r}c_{y}$ + $c_{x}$)/$\\it{M}$, "};
   const std::string rest =
-      "$\\it{C}$ = $\\it{Mg}$" + turning + ", $\\it{D}$ = $c_{y}$" + turning + ", $\\it{M}$ = $m_{a}$ + $m_{r}$.";
+      "$\\it{C}$ = $\\it{Mg}$" + by_couple + ", $\\it{D}$ = $c_{y}$" + by_couple + ", $\\it{M}$ = $m_{a}$ + $m_{r}$.";
   const std::string turned = "$ω$ = $ω_{0}$ + $\\it{C}t$ + ($v_{0}$ − $v$ − $\\it{A}t$)$\\it{D}$/$\\it{B}$";
   const std::string v =
       law.B > 0 ? "$v$ = √($\\it{A}$/$\\it{B}$) tan($β$ − √($\\it{AB}$) $t$), tan $β$ = $v_{0}$√($\\it{B}$/$\\it{A}$)"
