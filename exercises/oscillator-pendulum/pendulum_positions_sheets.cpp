@@ -136,7 +136,7 @@ PolygonPanel forces_panel(const Solution& s, const std::string& now, Language la
                          .tip = "$b$"}}));
 }
 
-HodographPanel hodograph_panel(const Solution& s, Language language) {
+HodographPanel hodograph_panel(const Solution& s) {
   const Givens& givens = s.givens();
   const double Omega = s[pen("Omega")], period = s[pen("period")], weight = s[pen("weight")],
                m_r = nearest(givens["m_p"]) * nearest(givens["r"]);
@@ -207,7 +207,7 @@ PanelSheet hodograph_sheet(const Solution& s, Language language) {
       "3$m_{p}rΩ^{2}$."};
   const Angle theta_0 = s.givens().angle("theta_0");
   const bool is_level = theta_0.radians == 0 && (theta_0.turns == Rational(1, 4) || theta_0.turns == Rational(-1, 4));
-  return {.panels = panels(hodograph_panel(s, language)),
+  return {.panels = panels(hodograph_panel(s)),
           .theory = {{{"Its shape", "La forma"}, {remark(is_level ? circle.in(language) : "")}}},
           .results = {values(all_pen({"R_12_x_max", "t_R_12_x_max"})), values(all_pen({"R_12_y_max", "R_12_y_min"})),
                       table({"$t$ (ms)", "$\\it{R}_{12x}$ (N)", "$\\it{R}_{12y}$ (N)"},
