@@ -73,9 +73,10 @@ expect 'so does one sheet of it' '' "$(cmp piped.svg scene_1/six-bar-velocities.
 rm -f piped.svg
 
 # A disk's error on reading, as the memory of a process that is not there.
-"$epure" check /proc/self/mem > /dev/null 2> said
+ln -s /proc/self/mem unreadable.yaml
+"$epure" check unreadable.yaml > /dev/null 2> said
 expect 'a file whose reading fails is exit 2' 2 $?
-expect 'and is not called empty' 'epure: /proc/self/mem: the file cannot be read' "$(cat said)"
+expect 'and is not called empty' 'epure: unreadable.yaml: the file cannot be read' "$(cat said)"
 
 "$epure" draw all --out all_one > /dev/null
 expect 'drawing all exits with 0' 0 $?
