@@ -15,6 +15,9 @@ namespace epure::drawings {
 struct TooFar : Told {
   using Told::Told;
 };
+// Throw TooFar for a place (mm) so far off, std::invalid_argument for one that is not finite.
+void demand_drawable(double value);
+void demand_drawable(Point p);
 
 // One document, a page a sheet; bare sheets get pages of their cropped size. Bytes depend on the sheets alone.
 // Throws std::invalid_argument naming the mark when a coordinate is not finite, TooFar when it is too large.

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <map>
 #include <string_view>
-#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -485,11 +484,12 @@ class Writer {
     if (ink == ink_) return;
     if (!ink_.empty()) end_ink();
     ink_at_ = body_.size();
-    if (!ink.empty()) ((body_ += "<g") += ink) += ">\n";
+    if (!ink.empty()) ((body_ += group_begins) += ink) += group_opened;
     ink_ = ink;
   }
+  static constexpr std::string_view group_begins = "<g", group_opened = ">\n";
   void end_ink() {
-    const std::size_t marks = ink_at_ + 2 + ink_.size() + 2;  // after <g INK> and the end of the line
+    const std::size_t marks = ink_at_ + group_begins.size() + ink_.size() + group_opened.size();
     if (std::count(body_.begin() + static_cast<std::ptrdiff_t>(marks), body_.end(), '\n') > 1) {
       body_ += "</g>\n";
       return;

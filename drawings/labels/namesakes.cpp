@@ -1,7 +1,6 @@
 #include "drawings/labels/namesakes.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "drawings/labels/window.h"
 #include "drawings/paths/clip.h"
@@ -63,8 +62,6 @@ Namesakes::Namesakes(const Figure& figure, const std::vector<Label>& labels, Box
       add(points_, *point, *point, Meaning::text, window);
     }
   }
-  std::copy_if(lines_.begin(), lines_.end(), std::back_inserter(links_),
-               [](const Shown& each) { return each.meaning == Meaning::link; });
   Kind clear = vectors_;
   for (Shown& each : clear) each.seen = clear_of_shorter(vectors_, each);
   vectors_ = std::move(clear);
@@ -128,7 +125,7 @@ bool Namesakes::is_on(const Arc& arc, Point at) {
 void Namesakes::add_arcs(Naming& naming, Point at, double reach) const {
   const auto own = std::find_if(arcs_.begin(), arcs_.end(), [&](const Arc& arc) { return is_on(arc, at); });
   if (own == arcs_.end()) return;
-  add_passing(naming, links_, at, reach);
+  add_passing(naming, lines_, Meaning::link, at, reach);
   constexpr double chord = 0.1;  // radians
   const Box around = grown(Box{at, at}, reach);
   double nearest = INFINITY;
@@ -151,10 +148,11 @@ void Namesakes::add_arcs(Naming& naming, Point at, double reach) const {
   }
 }
 
-void Namesakes::add_passing(Naming& naming, const Kind& kind, Point at, double reach) {
-  for (const Shown& each : kind)
-    if (const double away = between_point(at, each.whole); away > one_mark && away < reach)
-      naming.not_between.push_back(each.whole);
+void Namesakes::add_passing(Naming& naming, const Kind& kind, std::optional<Meaning> of, Point at, double reach) {
+  for (const Shown& each : kind) {
+    const double away = between_point(at, each.whole);
+    if ((!of || each.meaning == *of) && away > one_mark && away < reach) naming.not_between.push_back(each.whole);
+  }
 }
 
 Naming Namesakes::of(const Label& label, double width) const {
@@ -176,7 +174,7 @@ Naming Namesakes::of(const Label& label, double width) const {
     const Shown point{{at, at}, {at, at}, Meaning::text};
     add_others(naming, points_, label, point, reach);
     add_others(naming, labelled_points_, label, point, reach);
-    if (is_point) add_passing(naming, vectors_, at, reach);
+    if (is_point) add_passing(naming, vectors_, {}, at, reach);
   }
   return naming;
 }

@@ -32,8 +32,8 @@ class Namesakes {
   static const Shown* on_one(const Kind& kind, Point at, Point to);
   static void add_others(Naming& naming, const Kind& kind, const Label& label, const Shown& own, double reach);
 
-  // Those that pass a point near enough to lie between it and its letters.
-  static void add_passing(Naming& naming, const Kind& kind, Point at, double reach);
+  // Those, of one meaning or of all, that pass a point near enough to lie between it and its letters.
+  static void add_passing(Naming& naming, const Kind& kind, std::optional<Meaning> of, Point at, double reach);
 
   // Of angles and senses of turning: by their chords.
   struct Arc {
@@ -44,7 +44,7 @@ class Namesakes {
   // What letters at a point of an arc name, and the other arcs near it.
   void add_arcs(Naming& naming, Point at, double reach) const;
 
-  Kind vectors_, lines_, links_, points_, labelled_points_;
+  Kind vectors_, lines_, points_, labelled_points_;
   std::vector<Arc> arcs_;
 };
 

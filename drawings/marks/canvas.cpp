@@ -13,16 +13,9 @@
 
 namespace epure::drawings {
 
-namespace {
-
-// 10,000 km of paper, where a double is worth 2 nm: what is cut out of it for the sheet is still right.
-constexpr double absurd = 1e10;
-
-}  // namespace
-
-Canvas::Canvas(Box area) : clip_(area), drawn_(area) {}
-
-void Canvas::require(double value) const {
+void demand_drawable(double value) {
+  // 10,000 km of paper, where a double is worth 2 nm: what is cut out of it for the sheet is still right.
+  constexpr double absurd = 1e10;
   if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("{} is not a number on paper", value));
   if (std::abs(value) > absurd)
     throw TooFar(
@@ -35,20 +28,26 @@ void Canvas::require(double value) const {
                     value));
 }
 
-void Canvas::require(Point p) const {
-  require(p.x);
-  require(p.y);
+void demand_drawable(Point p) {
+  demand_drawable(p.x);
+  demand_drawable(p.y);
 }
 
-void Canvas::require(const Path& path) const {
-  require(path.start);
+namespace {
+
+void demand_path_drawable(const Path& path) {
+  demand_drawable(path.start);
   for (const Piece& piece : path.pieces) {
-    require(piece.end);
+    demand_drawable(piece.end);
     if (piece.straight) continue;
-    require(piece.first_control);
-    require(piece.second_control);
+    demand_drawable(piece.first_control);
+    demand_drawable(piece.second_control);
   }
 }
+
+}  // namespace
+
+Canvas::Canvas(Box area) : clip_(area), drawn_(area) {}
 
 void Canvas::put(Primitive primitive) {
   std::visit([this](auto& p) { p.step = step_; }, primitive);
@@ -64,7 +63,7 @@ void Canvas::remember(const Path& path, double width) {
 }
 
 void Canvas::stroke(const Path& path, const LineStyle& style, const std::string& name) {
-  require(path);
+  demand_path_drawable(path);
   bool first = true;
   for (const Path& run : clip_path(path, clip_)) {
     const std::vector<double> dashes =
@@ -76,7 +75,7 @@ void Canvas::stroke(const Path& path, const LineStyle& style, const std::string&
 }
 
 void Canvas::area(const Path& path, Colour colour, const std::string& name, double tolerance) {
-  require(path);
+  demand_path_drawable(path);
   const Box box = bounds(path);
   if (apart(box, clip_)) return;
   if (contains(clip_, box)) {
@@ -97,7 +96,7 @@ void Canvas::tint(const Path& path, Colour colour, const std::string& name) {
 }
 
 void Canvas::text(const PlacedText& text) {
-  require(text.baseline);
+  demand_drawable(text.baseline);
   const TextSize size = measure(text.text, text.size, text.weight);
   const Point b = text.baseline;
   const Box box{{b.x, b.y - size.descent}, {b.x + size.width, b.y + size.ascent}};

@@ -21,11 +21,7 @@ class Canvas {
   // The step that draws them.
   void in_step(int step) { step_ = step; }
 
-  // Throws std::invalid_argument unless the number is finite, and TooFar beyond 10,000 km; compose() adds the mark's
-  // name to the former.
-  void require(Point p) const;
-  void require(double value) const;
-
+  // All throw as demand_drawable (output.h) does; compose() adds the mark's name.
   void stroke(const Path& path, const LineStyle& style, const std::string& name = {});
   // Solid areas (arrow heads, points, blocks) keep labels away; light ones (plates) do not.
   void fill(const Path& path, Colour colour, const std::string& name = {});
@@ -44,7 +40,6 @@ class Canvas {
   std::vector<Primitive> take();
 
  private:
-  void require(const Path& path) const;
   void put(Primitive primitive);
   void remember(const Path& path, double width);
   // Curves become chords within `tolerance` (mm) where the area must be cut.

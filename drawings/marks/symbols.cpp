@@ -5,6 +5,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "drawings/output.h"
 #include "drawings/paths/clip.h"
 #include "drawings/paths/vectors.h"
 #include "drawings/text/text.h"
@@ -58,8 +59,8 @@ void point(Canvas& canvas, Point at, Colour colour, const std::string& name) {
 }
 
 void draw_mark(Canvas& canvas, const Arrow& arrow) {
-  canvas.require(arrow.from);
-  canvas.require(arrow.to);
+  demand_drawable(arrow.from);
+  demand_drawable(arrow.to);
   const LineStyle style = line_style(arrow.meaning);
   const double total = distance(arrow.from, arrow.to);
   if (total < head_length) return point(canvas, arrow.to, style.colour, arrow.name);
@@ -118,7 +119,7 @@ void strokes(Canvas& canvas, const DataPoint& point, Point arm, const LineStyle&
 
 void draw_mark(Canvas& canvas, const DataPoint& point) {
   constexpr double arm = 1.2, diagonal = 0.85, dot = 0.75;  // mm
-  canvas.require(point.at);
+  demand_drawable(point.at);
   const LineStyle style{narrow, {}, ink(point.meaning)};
   canvas.raise();
   switch (point.shape) {
@@ -142,7 +143,7 @@ void draw_mark(Canvas& canvas, const Hinge& hinge) { hinge_circle(canvas, hinge.
 
 void draw_mark(Canvas& canvas, const FixedHinge& hinge) {
   constexpr double depth = 6, half_base = 3.5, half_ground = 5;  // mm
-  canvas.require(hinge.down);
+  demand_drawable(hinge.down);
   const Point down = direction(hinge.down), side = left_of(down);  // standing upright: to the right
   const Point foot = hinge.at + depth * down;
   const Path stand = polyline({foot - half_base * side, hinge.at, foot + half_base * side}, true);
@@ -154,7 +155,7 @@ void draw_mark(Canvas& canvas, const FixedHinge& hinge) {
 }
 
 void draw_mark(Canvas& canvas, const Slider& slider) {
-  canvas.require(slider.along);
+  demand_drawable(slider.along);
   const Point along = (block_length / 2) * direction(slider.along);
   const Point up = (block_height / 2) * direction(slider.along + quarter);
   const Point at = slider.at;
@@ -172,15 +173,15 @@ void ground(Canvas& canvas, Point from, Point to) {
 }
 
 void draw_mark(Canvas& canvas, const Guide& guide) {
-  canvas.require(guide.from);
-  canvas.require(guide.to);
+  demand_drawable(guide.from);
+  demand_drawable(guide.to);
   const Point shift = (-block_height / 2) * left_of(unit(guide.from, guide.to));
   ground(canvas, guide.from + shift, guide.to + shift);
 }
 
 void draw_mark(Canvas& canvas, const Ground& surface) {
-  canvas.require(surface.from);
-  canvas.require(surface.to);
+  demand_drawable(surface.from);
+  demand_drawable(surface.to);
   ground(canvas, surface.from, surface.to);
 }
 
@@ -196,9 +197,9 @@ Path rounded(Point from, Point to, double radius) {
 }
 
 void draw_mark(Canvas& canvas, const Slot& slot) {
-  canvas.require(slot.from);
-  canvas.require(slot.to);
-  canvas.require(slot.width);
+  demand_drawable(slot.from);
+  demand_drawable(slot.to);
+  demand_drawable(slot.width);
   if (!(slot.width > 0)) throw std::invalid_argument("a slot needs a width");
   const Path outline = rounded(slot.from, slot.to, slot.width / 2);
   canvas.fill(outline, white);
@@ -206,9 +207,9 @@ void draw_mark(Canvas& canvas, const Slot& slot) {
 }
 
 void draw_mark(Canvas& canvas, const Rotation& rotation) {
-  canvas.require(rotation.centre);
-  canvas.require(rotation.from);
-  canvas.require(rotation.to);
+  demand_drawable(rotation.centre);
+  demand_drawable(rotation.from);
+  demand_drawable(rotation.to);
   const double sweep = std::abs(rotation.to - rotation.from);
   if (!(sweep > 0) || !(rotation.radius > 0)) throw std::invalid_argument("a rotation needs a radius and an angle");
   const LineStyle style = sign_style(rotation.meaning);
@@ -226,8 +227,8 @@ void draw_mark(Canvas& canvas, const Rotation& rotation) {
 
 void draw_mark(Canvas& canvas, const RightAngle& mark) {
   constexpr double side = 2.2;  // mm
-  canvas.require(mark.first);
-  canvas.require(mark.second);
+  demand_drawable(mark.first);
+  demand_drawable(mark.second);
   const Point first = side * direction(mark.first), second = side * direction(mark.second);
   canvas.stroke(polyline({mark.at + first, mark.at + first + second, mark.at + second}, false), symbol_detail);
 }
@@ -235,7 +236,7 @@ void draw_mark(Canvas& canvas, const RightAngle& mark) {
 void draw_mark(Canvas& canvas, const ParallelMark& mark) {
   constexpr double arm = 1.8, spacing = 1.4, half_opening = std::numbers::pi / 5;  // mm, mm, rad
   if (mark.heads < 1 || mark.heads > 9) throw std::invalid_argument("a parallel mark has one to nine heads");
-  canvas.require(mark.along);
+  demand_drawable(mark.along);
   for (int i = 0; i < mark.heads; ++i) {
     const Point tip = mark.at + (i - (mark.heads - 1) / 2.0) * spacing * direction(mark.along);
     canvas.stroke(polyline({tip - arm * direction(mark.along + half_opening), tip,
@@ -246,17 +247,17 @@ void draw_mark(Canvas& canvas, const ParallelMark& mark) {
 }
 
 void draw_mark(Canvas& canvas, const AngleMark& mark) {
-  canvas.require(mark.at);
-  canvas.require(mark.from);
-  canvas.require(mark.to);
+  demand_drawable(mark.at);
+  demand_drawable(mark.from);
+  demand_drawable(mark.to);
   canvas.stroke(arc(mark.at, mark.radius, mark.from, mark.to), sign_style(mark.meaning));
 }
 
 void draw_mark(Canvas& canvas, const Dimension& dimension) {
   constexpr double off_point = 1, beyond = 1.5;  // mm: extension lines
-  canvas.require(dimension.from);
-  canvas.require(dimension.to);
-  canvas.require(dimension.offset);
+  demand_drawable(dimension.from);
+  demand_drawable(dimension.to);
+  demand_drawable(dimension.offset);
   const LineStyle style = line_style(Meaning::dimension);
   const auto [from, to] = dimension_line(dimension);
   const double away = std::abs(dimension.offset);
@@ -293,8 +294,8 @@ void draw_mark(Canvas& canvas, const ScaleBar& bar) {
   constexpr double height = 1.1, caption_size = 3.2, tick_size = 2.7;  // mm
   if (bar.divisions < 1 || bar.divisions > 100 || !(bar.length > 0))
     throw std::invalid_argument("a scale bar needs a length and 1 to 100 divisions");
-  canvas.require(bar.at);
-  canvas.require(bar.length);
+  demand_drawable(bar.at);
+  demand_drawable(bar.length);
   const double part = bar.length / bar.divisions;
   const auto piece = [&](int i) {
     const Point low = bar.at + Point{i * part, 0};

@@ -91,11 +91,11 @@ std::vector<Placeable> placeables(const Figure& figure, Box area, const StepsOfM
   return all;
 }
 
-void require_numbers(const Canvas& canvas, const Placeable& item) {
+void require_numbers(const Placeable& item) {
   try {
-    canvas.require(item.box.at);
-    if (item.box.to) canvas.require(*item.box.to);
-    if (item.box.away_from) canvas.require(*item.box.away_from);
+    demand_drawable(item.box.at);
+    if (item.box.to) demand_drawable(*item.box.to);
+    if (item.box.away_from) demand_drawable(*item.box.away_from);
   } catch (const std::invalid_argument& wrong) {
     throw std::invalid_argument(fmt::format("{}: {}", item.name(), wrong.what()));
   } catch (const TooFar& why) {
@@ -151,7 +151,7 @@ std::vector<Primitive> figure_ink(const Figure& figure, Box area, const std::vec
   const std::vector<Placeable> items = placeables(figure, area, steps);
   std::vector<LabelBox> boxes;
   for (const Placeable& item : items) {
-    require_numbers(canvas, item);
+    require_numbers(item);
     boxes.push_back(item.box);
   }
   const std::vector<Place> places = place_labels(boxes, canvas.obstacles(), area);

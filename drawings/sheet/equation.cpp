@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drawings/sheet/column.h"
+#include "drawings/text/even_lines.h"
 #include "drawings/text/sheet_words.h"
 #include "drawings/text/text.h"
 
@@ -65,18 +66,6 @@ std::vector<EquationLine> filled(const EquationLine& all, double room, double ga
   return lines;
 }
 
-// In as few lines as fit the room, of nearly one length.
-std::vector<EquationLine> broken(const EquationLine& all, double room, double gap) {
-  constexpr double narrower = 0.5;  // mm
-  std::vector<EquationLine> best = filled(all, room, gap);
-  while (best.size() > 1) {
-    std::vector<EquationLine> lines = filled(all, widest(best, gap) - narrower, gap);
-    if (lines.size() > best.size() || widest(lines, gap) >= widest(best, gap)) break;
-    best = std::move(lines);
-  }
-  return best;
-}
-
 void centred(Galley& galley, const std::string& text, double middle, double baseline, double size) {
   if (!text.empty()) galley.text(text, {middle - measure(text, size).width / 2, baseline}, size);
 }
@@ -132,7 +121,9 @@ void set_block(Galley& galley, const VectorEquation& equation, Language language
   const EquationLetters set = letters_of(equation, size, room);
   const EquationLine columns = measure_columns(equation, set);
   const double gap = set.gap;
-  const std::vector<EquationLine> lines = broken(columns, room, gap);
+  const std::vector<EquationLine> lines = in_even_lines(
+      room, [&](double most) { return filled(columns, most, gap); },
+      [&](const std::vector<EquationLine>& each) { return widest(each, gap); });
   const double left_over = room - widest(lines, gap);
   if (left_over < 0)
     galley.complaints.push_back("a vector equation is wider than the column: " +

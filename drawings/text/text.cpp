@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "drawings/text/even_lines.h"
 #include "drawings/text/typeset.h"
 
 namespace epure::drawings {
@@ -159,19 +160,13 @@ std::vector<std::string> wrap(const std::string& rich_text, double size, double 
 }
 
 std::vector<std::string> wrap_evenly(const std::string& rich_text, double size, double width, Weight weight) {
-  constexpr double narrower = 0.5;  // mm
+  const auto fill = [&](double room) { return wrap(rich_text, size, room, weight); };
   const auto widest = [&](const std::vector<std::string>& lines) {
     double most = 0;
     for (const std::string& line : lines) most = std::max(most, measure(line, size, weight).width);
     return most;
   };
-  std::vector<std::string> best = wrap(rich_text, size, width, weight);
-  while (best.size() > 1) {
-    std::vector<std::string> lines = wrap(rich_text, size, widest(best) - narrower, weight);
-    if (lines.size() > best.size() || widest(lines) >= widest(best)) break;
-    best = std::move(lines);
-  }
-  return best;
+  return in_even_lines(width, fill, widest);
 }
 
 }  // namespace epure::drawings

@@ -152,6 +152,12 @@ bool is_standard_output(const Options& options) {
 }
 
 Format format_of_file(const Options& options) {
+  std::error_code is_not_there;
+  if (options.file->ends_with('/') || std::filesystem::is_directory(*options.file, is_not_there))
+    throw WrongUsage(format_words("-o names one file, and \"{}\" is a folder; for files in a folder use --out \"{}\"",
+                                  "-o nomina un solo file, e \"{}\" è una cartella; per file in una cartella usare "
+                                  "--out \"{}\"",
+                                  *options.file, *options.file));
   const auto by_ending = format_by_ending(options);
   if (!options.format) {
     if (by_ending) return *by_ending;

@@ -54,7 +54,7 @@ void add_legends(std::vector<SheetMaker>& sheets, const std::shared_ptr<const Sc
                       first = i == 0 ? Words{} : numbers.of(sheets[0].spec.name)](const Solution& s,
                                                                                   Language language) {
       PanelSheet sheet = make(s, language);
-      if (auto legend = legend_of(*scene, first, language)) sheet.first.push_back(std::move(*legend));
+      sheet.legend = legend_of(*scene, first, language);
       return sheet;
     };
 }

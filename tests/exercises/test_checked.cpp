@@ -162,14 +162,15 @@ TEST_CASE("what does not exist cannot be drawn") {
   CHECK(mentions(failures(gone), "c: sheet sides shows it, but it does not exist (flat)"));
 }
 
-TEST_CASE("the resolution of a sheet is what filing costs, for lengths and components, times the scale") {
-  const double step = drawings::file_resolution;
+TEST_CASE("the resolution of a sheet is what filing and placing cost, for lengths and components, times the scale") {
+  const double step = drawings::file_resolution, placing = 0x1p-20;  // mm: 2^14 roundings of 2^20 mm
   const Measurement slant{"c", {10, 10}, {40, 50}, 0.01};
-  CHECK(measure(slant, "s", drawings::Paper::a4).resolution == Approx(0.01 * std::sqrt(2.0) * step).epsilon(1e-5));
+  CHECK(measure(slant, "s", drawings::Paper::a4).resolution ==
+        Approx(0.01 * (std::sqrt(2.0) * step + placing)).epsilon(1e-5));
   Measurement level = slant;
   level.kind = Measurement::along_x;
   const OnSheet shown = measure(level, "s", drawings::Paper::a4);
-  CHECK(shown.resolution == Approx(0.01 * step).epsilon(1e-5));
+  CHECK(shown.resolution == Approx(0.01 * (step + placing)).epsilon(1e-5));
   CHECK(shown.value == Approx(0.3).margin(0.01 * step));
   level.kind = Measurement::along_y;
   std::swap(level.from, level.to);

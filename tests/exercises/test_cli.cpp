@@ -278,6 +278,8 @@ TEST_CASE("-o writes one file, in the format of its ending or of --format") {
   refused({"draw", "triangle", "-o", "t2", "--format", "pdf,svg"}, "choose one format");
   refused({"draw", "triangle", "-o", "t2.pdf", "--out", "x"}, "choose one of them");
   refused({"draw", "triangle", "-o", ""}, "tells no format");
+  refused({"draw", "triangle", "-o", "new/"}, "\"new/\" is a folder; for files in a folder use --out \"new/\"");
+  refused({"draw", "triangle", "-o", ".", "--format", "pdf"}, "for files in a folder use --out");
   CHECK(scratch.files().size() == 5);
 }
 

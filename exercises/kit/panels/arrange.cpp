@@ -398,8 +398,6 @@ void draw_frames(const PlacedPanel& close_up, const PlacedPanel& whole, DrawnShe
   cut(onto.sheet.figure, figure_area(request));
 }
 
-bool is_legend(const Section& section) { return section.heading.empty(); }
-
 double size_of_letters(const DrawnSheet& sheet) {
   const drawings::Layout parts = drawings::layout(sheet.sheet.paper, drawings::title_block_height(sheet.sheet));
   double largest = 0;
@@ -414,19 +412,16 @@ double size_of_letters(const DrawnSheet& sheet) {
 void add_legend(const Solution& solution, const PanelSheet& shown, DrawnSheet& onto) {
   std::vector<drawings::Block>& column = onto.sheet.column;
   constexpr std::ptrdiff_t under_givens = 2;  // their heading and they
-  if (std::ssize(column) < under_givens) return;
+  if (shown.legend.empty() || std::ssize(column) < under_givens) return;
   const double size = size_of_letters(onto);
-  for (const Section& section : shown.first) {
-    if (!is_legend(section)) continue;
-    for (const Result& way : section.lines) {
-      const auto block = way(solution, onto.sheet.language);
-      if (!block) continue;
-      const auto at = column.insert(column.begin() + under_givens, *block);
-      // In small letters already it takes no more room than it must.
-      const bool is_shortest = &way == &section.lines.back();
-      if (size_of_letters(onto) == size && (size >= drawings::column_size || is_shortest)) return;
-      column.erase(at);
-    }
+  for (const Result& way : shown.legend) {
+    const auto block = way(solution, onto.sheet.language);
+    if (!block) continue;
+    const auto at = column.insert(column.begin() + under_givens, *block);
+    // In small letters already it takes no more room than it must.
+    const bool is_shortest = &way == &shown.legend.back();
+    if (size_of_letters(onto) == size && (size >= drawings::column_size || is_shortest)) return;
+    column.erase(at);
   }
 }
 
@@ -493,8 +488,7 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
     onto.sheet.description = drawings::plain(question.in(language));
     return onto;
   }
-  for (const Section& section : shown.first)
-    if (!is_legend(section)) add_section(solution, section, onto, language);
+  for (const Section& section : shown.first) add_section(solution, section, onto, language);
   for (const auto& panel : shown.panels)
     for (const drawings::VectorEquation& equation : panel->equations()) column.push_back(equation);
   bool has_steps_off_sheet = false;

@@ -20,6 +20,7 @@ struct Section {
 
 struct PanelSheet {
   Panels panels = {};                // in the order of reading, and of their steps
+  std::vector<Result> legend = {};   // what the givens' letters mean, told under them: the first way that has room
   std::vector<Section> first = {};   // before all else: that the mechanism cannot work
   std::vector<Section> theory = {};  // before the results
   std::vector<Result> results = {};

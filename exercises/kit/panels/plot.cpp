@@ -6,13 +6,15 @@
 #include <optional>
 #include <utility>
 
+#include "drawings/output.h"
 #include "drawings/paths/vectors.h"
 #include "exercises/kit/panels/rounded.h"
 
 namespace epure {
 namespace {
 
-constexpr double farthest = 1000;  // mm: more than any way across the paper
+constexpr double farthest_measured = 0x1p20;  // mm from a plane's origin: what roundings cost in OnSheet counts on it
+constexpr double farthest = 1000;             // mm: more than any way across the paper
 
 // The part of pq within `farthest` of the paper, which is all that can be seen of it; none when both ends are so far
 // off that doubles no longer know where the line between them passes.
@@ -282,7 +284,14 @@ void Plot::step(int number, const Place& P) {
 
 void Plot::measure(const std::string& name, const Place& from, const Place& to, double per_mm,
                    Measurement::Kind kind) {
-  if (shows(from) && shows(to)) onto_.measurements.push_back({name, at(from), at(to), per_mm, kind});
+  if (!shows(from) || !shows(to)) return;
+  // A close-up may stand so far from its plane's origin that doubles hardly tell its points apart, or no longer do.
+  const double mm = scale_.mm_per_unit;
+  const drawings::Point p{mm * from.x, mm * from.y}, q{mm * to.x, mm * to.y};
+  drawings::demand_drawable(p);
+  drawings::demand_drawable(q);
+  const double farthest_off = std::max({std::abs(p.x), std::abs(p.y), std::abs(q.x), std::abs(q.y)});
+  if (farthest_off < farthest_measured) onto_.measurements.push_back({name, at(from), at(to), per_mm, kind});
 }
 
 void Plot::measures(const std::string& name, const Place& P, const Place& Q) {

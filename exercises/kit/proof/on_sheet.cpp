@@ -13,10 +13,10 @@ namespace {
 constexpr double filing_of_component = drawings::file_resolution;
 constexpr double filing_of_length = std::numbers::sqrt2 * drawings::file_resolution;
 
-// What doubles cost in placing the ends. Coordinates stay below 512 mm, where a rounding is at most 2^-45 mm; a
-// figure's point comes out of some hundred operations whose errors may grow a hundredfold where lines meet at a
-// slant. 2^14 roundings make 2^-31 mm: a three-millionth of what filing costs.
-constexpr double placing = 0x1p-31;
+// What doubles cost in placing the ends. Coordinates stay below 2^20 mm (farthest_measured in plot.cpp), where a
+// rounding is at most 2^-34 mm; a figure's point comes out of some hundred operations whose errors may grow a
+// hundredfold where lines meet at a slant. 2^14 roundings make 2^-20 mm: less than a thousandth of what filing costs.
+constexpr double placing = 0x1p-20;
 
 double miss(const OnSheet& shown, double value) {
   return std::abs(shown.value - (shown.signed_value ? value : std::abs(value)));

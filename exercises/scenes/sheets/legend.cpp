@@ -50,7 +50,7 @@ std::string with_letters(const std::string& text, const Letters& of) {
 
 }  // namespace
 
-std::optional<Section> legend_of(const Scene& scene, const Words& first_sheet, Language language) {
+std::vector<Result> legend_of(const Scene& scene, const Words& first_sheet, Language language) {
   const Letters letters = scene.built(Givens(scene.givens())).letters;
   Words meanings;
   for (const GivenSpec& given : scene.givens()) {
@@ -60,12 +60,11 @@ std::optional<Section> legend_of(const Scene& scene, const Words& first_sheet, L
                Words{with_letters(given.meaning.english, letters), with_letters(given.meaning.italian, letters)};
   }
   if (meanings.empty()) return {};
-  Section legend;
-  legend.lines.push_back(remark((meanings + ".").in(language)));
+  std::vector<Result> ways{remark((meanings + ".").in(language))};
   if (!first_sheet.empty())
-    legend.lines.push_back(remark(
+    ways.push_back(remark(
         format_words("What these letters mean: {}.", "Che cosa sono queste lettere: {}.", first_sheet).in(language)));
-  return legend;
+  return ways;
 }
 
 }  // namespace epure::scenes

@@ -110,3 +110,13 @@ TEST_CASE("crane welds: each check says whether it holds", "[crane-welds][sheets
   CHECK(tells(welds().draw("throat", {}), "The check of the throats holds"));
   CHECK(tells(welds().draw("sphere", {"W_b=40t", "b=2"}), "The check of the throats does not hold"));
 }
+
+// In a close-up so far from its plane's origin that doubles no longer tell its points apart no length is read.
+TEST_CASE("a fillet that is nothing beside its walls is not drawn, and does not fail the check") {
+  const CheckedExercise none = welds().checked({"b=2.1e-12", "s_1=4.422"});
+  CHECK(complaints(none).empty());
+  REQUIRE(none.not_drawn.size() == 1);
+  CHECK_THAT(none.not_drawn.front().sentence.english, Contains("throat") && Contains("too far off the paper"));
+  CHECK(complaints(welds().checked({"b=2.1e-7", "s_1=4.422"})).empty());
+  CHECK(shown("throat").contains("a"));
+}
