@@ -78,7 +78,11 @@ void demand_shortness(const Rational& q) {
 // In SI units; what turns may be as small as it likes, a turn being what it is counted in.
 const Amount& of_sensible_size(const Amount& amount, const std::string& text) {
   const auto is_large = [](const Rational& q) { return !has_sensible_size(q) && CGAL::abs(q) > 1; };
-  if (!has_sensible_size(amount.value) || is_large(amount.angle.turns) || is_large(amount.angle.radians))
+  if (is_large(amount.angle.turns) || is_large(amount.angle.radians))
+    throw BadFormula(format_words("\"{}\" must be at most {} turns or radians, without its sign",
+                                  "\"{}\" deve essere al più {} giri o radianti, senza segno", text,
+                                  std::string(largest_size)));
+  if (!has_sensible_size(amount.value))
     throw BadFormula(format_words("\"{}\" must be zero or, without its sign, lie between {} and {} in SI units",
                                   "\"{}\" deve essere zero o, senza segno, stare tra {} e {} in unità SI", text,
                                   std::string(smallest_size), std::string(largest_size)));

@@ -248,6 +248,8 @@ TEST_CASE("a file that is wrong is refused with its place and a sentence", "[sce
                "9:17: \"parsec\" is no unit of a length; known are: m, "));
   CHECK(begins(refusal(four_bar("drive: {link: 2, angle: 60}")), "8:25: \"60\" has no unit where an angle is asked"));
   CHECK(begins(refusal(four_bar("drive: {link: 2, angle: 60 mm}")), "8:25: \"60 mm\" is a length where an angle"));
+  CHECK(begins(refusal(four_bar("drive: {link: 2, angle: 1e20 deg}")),
+               "8:25: \"1e20 deg\" must be at most 1e12 turns or radians"));
   CHECK(begins(refusal(four_bar("drive: {link: 2, speed: 1/0}")), "8:25: "));
   CHECK(begins(refusal(four_bar("drive: {link: 2}", "", "2: {A0 A: 0}")), "5:13: the bar A0 A must be longer"));
   CHECK(begins(refusal(four_bar("drive: {link: 2}", "", "2: {A0: [0, 0], A: [0, 0]}")),
