@@ -236,7 +236,12 @@ void Scene::demand_printed(const std::vector<Quantity>& quantities) const {
                                "questo meccanismo non ha la grandezza \"{}\"; {}", printed_[i].quantity,
                                did_you_mean(printed_[i].quantity, names)));
     const Quantity& quantity = quantities[static_cast<std::size_t>(found - names.begin())];
-    if (find_unit(unit.text)->kind != find_unit(quantity.unit)->kind)
+    const Unit asked = *find_unit(unit.text), own = *find_unit(quantity.unit);
+    if (asked.kind == own.kind && asked.counts_turns && !own.counts_turns)
+      file.refuse(unit, format_words("{} counts turns, and epure tells {} in {}: π lies between; write it in {}",
+                                     "{} conta giri, ed epure dice {} in {}: c'è di mezzo π; scriverlo in {}",
+                                     asked.symbol, quantity.name, own.symbol, own.symbol));
+    if (asked.kind != own.kind || (own.counts_turns && asked.symbol != own.symbol))
       file.refuse(unit, format_words("{} is told in {}, not in {}", "{} si dice in {}, non in {}", quantity.name,
                                      quantity.unit, unit.text));
   }

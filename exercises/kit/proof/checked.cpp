@@ -8,6 +8,7 @@
 #include "drawings/output.h"
 #include "drawings/text/text.h"
 #include "exercises/kit/proof/agreement.h"
+#include "exercises/kit/proof/measured.h"
 #include "exercises/kit/proof/route_names.h"
 #include "exercises/kit/proof/solution.h"
 #include "exercises/kit/proof/table_cells.h"
@@ -254,12 +255,24 @@ void compare_sheets(CheckedExercise& checked, const Exercise& exercise, const Sh
   }
 }
 
+// A direction may be printed a turn off, 340° for -20°.
+PrintedVerdict judged(const Printed& printed, const CheckedQuantity& quantity) {
+  const PrintedVerdict verdict = judge(printed, quantity.settled);
+  if (verdict.verdict != Verdict::disagrees || quantity.spec.unit != "deg" || !has_value(quantity.settled))
+    return verdict;
+  geometry::Settled a_turn_off = quantity.settled;
+  double& value = a_turn_off.enclosure.value;
+  value = nearest_turn(value, nearest(read_printed(printed.text).value), "deg");
+  const PrintedVerdict other = judge(printed, a_turn_off);
+  return other.verdict == Verdict::disagrees ? verdict : other;
+}
+
 void compare_printed(CheckedExercise& checked) {
   for (const Printed& printed : checked.about.printed()) {
     demand_listed(checked, printed.quantity, {"printed by the source", "stampata dalla fonte"});
     CheckedQuantity* quantity = find(checked, printed.quantity);
     if (!quantity) continue;
-    quantity->printed.push_back(judge(printed, quantity->settled));
+    quantity->printed.push_back(judged(printed, *quantity));
     if (!quantity->printed.back().explanation_holds)
       complain(checked.failures, printed.quantity,
                format_words("the mistake that is to explain the printed {} does not give it",

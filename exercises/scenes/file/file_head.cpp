@@ -97,11 +97,6 @@ Printed printed_number(const File& file, const Tree& at) {
   const Tree& unit_at = demand("unit");
   const auto unit = find_unit(unit_at.text);
   if (!unit) file.refuse(unit_at, no_unit(unit_at.text));
-  if (unit->counts_turns)
-    file.refuse(unit_at,
-                format_words("{} counts turns, and epure tells radians: π lies between; write the number in rad",
-                             "{} conta giri, ed epure dice radianti: c'è di mezzo π; scrivere il numero in rad",
-                             unit->symbol));
   const auto number = [&](const Tree& told) {
     try {
       return read_decimal(told.text, "1").value;
@@ -116,7 +111,7 @@ Printed printed_number(const File& file, const Tree& at) {
   if (at.find("reading")) {
     const Rational reading = number(demand("reading"));
     if (reading < 0) file.refuse(*at.find("reading"), {"it is below zero", "è sotto lo zero"});
-    printed.reading = CGAL::to_double(reading * unit->factor);
+    printed.reading = CGAL::to_double(unit->counts_turns ? reading : reading * unit->factor);
   }
   return printed;
 }

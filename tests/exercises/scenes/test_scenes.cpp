@@ -146,10 +146,10 @@ TEST_CASE("a group at a dead centre or change point is named, with what is speci
 }
 
 TEST_CASE("what a book printed has its verdict; a number of nothing, or in a wrong unit, is refused", "[scenes]") {
-  const auto printed = [](const std::string& number) {
+  const auto printed = [](const std::string& number, const std::string& quantity = "omega_3") {
     const auto scene = std::make_shared<const scenes::Scene>("f", four_bar() + "printed: [{" + number + "}]\n");
     const auto exercise = scenes::scene_exercise(scene);
-    return find(check(*exercise, Givens(scene->givens()), Rung::climb), "omega_3").printed.at(0);
+    return find(check(*exercise, Givens(scene->givens()), Rung::climb), quantity).printed.at(0);
   };
   const std::string omega_3 = "quantity: omega_3, unit: rad/s, place: page 57, value: ";
   CHECK(printed(omega_3 + "-1.42").verdict == Verdict::rounding);
@@ -157,6 +157,15 @@ TEST_CASE("what a book printed has its verdict; a number of nothing, or in a wro
   CHECK(printed(omega_3 + "-1.44").verdict == Verdict::disagrees);
   CHECK(printed(omega_3 + "-1.44, reading: 0.03").verdict == Verdict::reading);
   CHECK(printed(omega_3 + "-1.42").route == "page 57");
+  // A = (60, 103.9), B 350 mm from it and 280 mm from (400, 0): AB points at 29.76°, B0B at 97.42°.
+  const auto direction = [&](const std::string& name, const std::string& value) {
+    return printed("quantity: " + name + ", unit: deg, place: p, value: " + value, name).verdict;
+  };
+  CHECK(direction("theta_3", "29.76") == Verdict::rounding);
+  CHECK(direction("theta_3", "29.5, reading: 0.3") == Verdict::reading);
+  CHECK(direction("theta_4", "\"-262.58\"") == Verdict::rounding);
+  CHECK(direction("theta_4", "457.42") == Verdict::rounding);
+  CHECK(direction("theta_4", "98") == Verdict::disagrees);
   const auto why = [&](const std::string& number) -> std::string {
     try {
       printed(number);
@@ -169,6 +178,7 @@ TEST_CASE("what a book printed has its verdict; a number of nothing, or in a wro
   CHECK(why("quantity: omega_33, unit: rad/s, place: p, value: 1")
             .starts_with("10:22: this mechanism has no quantity \"omega_33\"; did you mean omega_3"));
   CHECK(why("quantity: omega_3, unit: rpm, place: p, value: 1").starts_with("10:37: rpm counts turns"));
+  CHECK(why("quantity: theta_3, unit: rad, place: p, value: 0.5") == "10:37: theta_3 is told in deg, not in rad");
   CHECK(why("quantity: omega_3, unit: rad/s, place: p, value: x").starts_with("10:61: "));
   CHECK(why("quantity: omega_3, unit: rad/s, value: 1") == "10:11: place: is missing");
 }
