@@ -60,14 +60,13 @@ CheckedExercise checked_by_sheets(const Exercise& exercise, const Variant& varia
   return checked;
 }
 
-// What Moodle takes for right, as mark does: the value; of a direction also a whole turn away; and the magnitude, as
-// a number without a sign is one.
+// What Moodle takes for right, as mark does: the value; of a direction also a whole turn away, either way; and the
+// magnitude of a value below zero, as a number without a sign is one.
 std::string right_answers(const Quantity& quantity, double value, double tolerance) {
   std::vector<double> right{value};
-  if (const double turn = whole_turn(quantity.unit); turn > 0 && value != 0)
-    right.push_back(value - std::copysign(turn, value));
-  for (std::size_t i = 0, count = right.size(); i < count; ++i)
-    if (right[i] < 0) right.push_back(-right[i]);
+  if (const double turn = whole_turn(quantity.unit); turn > 0)
+    right.insert(right.end(), {value - turn, value + turn});
+  if (value < 0) right.push_back(-value);
   std::string all;
   for (const double each : right) all += fmt::format("{}={}:{:.3g}", all.empty() ? "" : "~", each, tolerance);
   return all;

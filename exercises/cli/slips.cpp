@@ -73,6 +73,15 @@ Givens with(const Givens& givens, const std::string& symbol, const std::string& 
   return other;
 }
 
+// Whether the number is so many times the value, to so many times what that may be off; a direction is no whole turns
+// more or less then. Nobody can tell where what may be off leaves a right number to be its own multiple.
+bool is_multiple(const Decimal& number, double factor, double value, const Allowance& by_reading) {
+  const Rational times(factor), size = CGAL::abs(Rational(value)), off = by_reading.size;
+  const bool is_told_apart = factor > 1 ? times * (size - off) > size + off : times * (size + off) < size - off;
+  const Allowance scaled = allowance_of(number, {times * off, {}});
+  return is_told_apart && CGAL::abs(excess(number, factor * value)) <= scaled.size;
+}
+
 std::string in_unit(const Rational& number, const std::string& unit) { return geometry::to_text(number) + unit; }
 
 }  // namespace
@@ -126,9 +135,8 @@ std::optional<Words> Slips::explain(const CheckedQuantity& quantity, const Decim
       return Words{"the number that the source printed", "il numero stampato dalla fonte"};
   }
   if (number.signed_text && fits(-value, by_reading.size)) return Words{"the opposite sense", "il verso opposto"};
-  if (value != 0)
-    for (const Multiple& each : multiples_of(unit))
-      if (fits(each.factor * value, Rational(each.factor) * by_reading.size)) return each.slip;
+  for (const Multiple& each : multiples_of(unit))
+    if (is_multiple(number, each.factor, value, by_reading)) return each.slip;
   for (const Mistaken& each : mistaken())
     if (const auto found = each.values.find(quantity.spec.name);
         found != each.values.end() && fits(found->second, by_reading.size))

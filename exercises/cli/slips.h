@@ -18,7 +18,8 @@ class Slips {
   Slips(const Exercise& exercise, const CheckedExercise& checked) : exercise_(exercise), checked_(checked) {}
 
   // The slip, in a few words; none: nothing explains the number. A slip scales what a quantity
-  // may be off as it scales the number. In this order: the number that the source
+  // may be off as it scales the number; one that this does not part from a right number is not looked for. In this
+  // order: the number that the source
   // printed, when it is wrong; the opposite sense; a power of ten; rpm for rad/s (squared in an acceleration),
   // degrees for radians; twice or half; an angle's complement, an angle in the other unit, a length doubled or
   // halved; another quantity of the unit.

@@ -116,6 +116,26 @@ TEST_CASE("a zero is nobody's slip") {
   CHECK(verdict_on("v_B_y", "0").starts_with("right; "));
 }
 
+// θ₃ = 1.2313 and θ₄ = -0.8808 to a hundredth: what is a thousand times larger may be off by 10 rad, more than a
+// turn.
+TEST_CASE("a wrong direction is nobody's multiple, and neither is what could as well be right") {
+  const Scratch scratch;
+  std::ofstream("angles.csv")
+      << "number,theta_3,theta_4\n1,-1,-0.5\n2,2.6,3\n3,0.3,1.7\n4,70.55,+0.8808\n5,0.0215,-8.808\n";
+  const Ran ran = run_on_all({"mark", "four-bar-analytic", "--answers", "angles.csv", "--format", "csv"});
+  REQUIRE(ran.exit == 0);
+  const CsvTable marks = read_csv(ran.out, "marks");
+  const auto judged = [&](std::size_t row) {
+    const std::vector<std::string>& cells = marks.rows.at(row).cells;
+    return std::pair(cells.at(3), cells.at(5));
+  };
+  for (const std::size_t row : {0, 1, 2}) CHECK(judged(row) == std::pair<std::string, std::string>("wrong", "wrong"));
+  CHECK(judged(3) == std::pair<std::string, std::string>("slip", "slip"));  // degrees; the opposite sense
+  CHECK(judged(4) == std::pair<std::string, std::string>("slip", "slip"));  // radians as degrees; ten times
+  for (const char* any : {"0.9", "5", "60"})                                // 0.0184 ± 0.12 m/s
+    CHECK(verdict_on("v_B", any, {"--set", "phi=0.1deg"}).starts_with("wrong; "));
+}
+
 TEST_CASE("what stands for no answer, and how sure an answer is") {
   const Scratch scratch;
   for (const char* none : {"assente", "#N/D", "absent"}) CHECK(verdict_on("v_B", none) == "no answer; ");
