@@ -46,7 +46,7 @@ const std::vector<Quantity> quantities{
     {"ground_path_s", "$s_{v}$", "m", Words{"way of the aircraft", "spazio percorso dall'aereo"} + while_slipping},
     {"rolled_path_s", "$s_{ω}$", "m", Words{"way of the rim", "spazio percorso dalla periferia"} + while_slipping},
     {"slip_path_s", "$s_{v}$ − $s_{ω}$", "m", {"way slipped", "spazio strisciato"}},
-    {"wheel_angle_s", "$θ_{s}$", "rad", Words{"angle of the wheel", "angolo della ruota"} + while_slipping},
+    {"wheel_angle_s", "$θ_{s}$", "rad", Words{"angle of the wheel", "angolo della ruota"} + while_slipping, true},
     {"friction_work_s", "$\\it{L}_{F}$", "J", {"work lost by sliding friction", "lavoro perso per attrito radente"}},
     {"wheel_energy_s", "$\\it{E}_{s}$", "J",
      Words{"kinetic energy of rotation of the wheel", "energia cinetica di rotazione della ruota"} + when_slip_ends},

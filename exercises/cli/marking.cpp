@@ -71,14 +71,14 @@ Rational most_points(const std::string& quantity, const MarkingRules& rules) {
 
 // "1.234" is read as 1.234; where 1234 would be right, that is told and not guessed.
 Words as_thousands(const std::string& answer, const Decimal& number, double value, const Allowance& allowed,
-                   const std::string& unit) {
+                   const Quantity& quantity) {
   const auto separator = answer.find_first_of(".,");
   if (separator == std::string::npos || separator == 0) return {};
   const auto digits = std::min(answer.find_first_not_of("0123456789", separator + 1), answer.size()) - separator - 1;
   Decimal thousandfold = number;
   thousandfold.value *= 1000;
   thousandfold.half_unit *= 1000;
-  if (digits != 3 || !is_near(thousandfold, value, allowed.size, unit)) return {};
+  if (digits != 3 || !is_near(thousandfold, value, allowed.size, quantity)) return {};
   return format_words("; or is its \"{}\" a separator of thousands?", "; o il suo \"{}\" separa le migliaia?",
                       answer.substr(separator, 1));
 }
@@ -130,12 +130,12 @@ class Marker {
       const Decimal number = read_measured(answer, spec.unit);
       const Allowance& by_reading = allowances.of(*quantity);
       const double value = quantity->settled.enclosure.value;
-      if (is_near(number, value, allowance_of(number, by_reading).size, spec.unit)) return {Mark::right};
+      if (is_near(number, value, allowance_of(number, by_reading).size, spec)) return {Mark::right};
       const Words found =
           format_words("{}{}, true {} ± {}", "{}{}, vero {} ± {}", decimal(nearest(number.value), 6),
                        after_number(spec.unit), decimal(value, 6), decimal(nearest(by_reading.size), 2));
       if (const auto slip = slips_.explain(*quantity, number, allowances))
-        return {Mark::slip, found + ": " + *slip + as_thousands(answer, number, value, by_reading, spec.unit)};
+        return {Mark::slip, found + ": " + *slip + as_thousands(answer, number, value, by_reading, spec)};
       return {Mark::wrong, found};
     } catch (const geometry::BadGiven& unreadable) {
       return {Mark::wrong, unreadable.words()};

@@ -64,8 +64,7 @@ CheckedExercise checked_by_sheets(const Exercise& exercise, const Variant& varia
 // magnitude of a value below zero, as a number without a sign is one.
 std::string right_answers(const Quantity& quantity, double value, double tolerance) {
   std::vector<double> right{value};
-  if (const double turn = whole_turn(quantity.unit); turn > 0)
-    right.insert(right.end(), {value - turn, value + turn});
+  if (const double turn = whole_turn(quantity); turn > 0) right.insert(right.end(), {value - turn, value + turn});
   if (value < 0) right.push_back(-value);
   std::string all;
   for (const double each : right) all += fmt::format("{}={}:{:.3g}", all.empty() ? "" : "~", each, tolerance);

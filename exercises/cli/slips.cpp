@@ -127,11 +127,11 @@ std::optional<Words> Slips::explain(const CheckedQuantity& quantity, const Decim
   const double value = quantity.settled.enclosure.value;
   if (number.value == 0) return std::nullopt;  // which any other zero would explain
   const auto fits = [&](double mistaken_value, const Rational& size) {
-    return is_near(number, mistaken_value, allowance_of(number, {size, {}}).size, unit);
+    return is_near(number, mistaken_value, allowance_of(number, {size, {}}).size, quantity.spec);
   };
   for (const PrintedVerdict& printed : quantity.printed) {
     const Decimal text = read_printed(printed.text);
-    if (printed.verdict == Verdict::disagrees && is_near(number, nearest(text.value), text.half_unit, unit))
+    if (printed.verdict == Verdict::disagrees && is_near(number, nearest(text.value), text.half_unit, quantity.spec))
       return Words{"the number that the source printed", "il numero stampato dalla fonte"};
   }
   if (number.signed_text && fits(-value, by_reading.size)) return Words{"the opposite sense", "il verso opposto"};

@@ -198,7 +198,8 @@ struct CycloidAtArc {
   template <class T>
   Ledger<T> operator()() const {
     Ledger<T> ledger("poles");
-    const Quantity angle = instant_s("phi", "φ_{#}", "rad", {"angle of the wheel", "angolo della ruota"}),
+    const Quantity angle = instant_s("phi", "φ_{#}", "rad", {"angle of the wheel", "angolo della ruota"})
+                               .turned_through(),
                    time = instant_s("t", "t_{#}", "s", {"time", "tempo"});
     const geometry::CycloidArc arc = of.travelled();
     const T omega = geometry::radians<T>(of.omega_1), r = geometry::from_rational<T>(of.r);
@@ -227,7 +228,8 @@ struct OnInvolute {
   template <class T>
   Ledger<T> operator()() const {
     Ledger<T> ledger("poles");
-    const Quantity angle = instant("phi", "φ_{#}", "rad", {"angle of the line", "angolo della retta"}),
+    const Quantity angle =
+                       instant("phi", "φ_{#}", "rad", {"angle of the line", "angolo della retta"}).turned_through(),
                    travelled = instant("arc_length", "s_{#}", "m", {"arc travelled", "arco percorso"});
     const auto written = [&](FoundOnPath<T> found) {
       found.before = nullptr;

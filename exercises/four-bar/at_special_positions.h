@@ -26,7 +26,9 @@ inline Quantity time_ratio() {
 struct AngleOfStroke {
   std::string name, symbol;
   Words meaning;
-  Quantity in(const std::string& unit) const { return {unit == "rad" ? name : name + "_deg", symbol, unit, meaning}; }
+  Quantity in(const std::string& unit) const {
+    return {unit == "rad" ? name : name + "_deg", symbol, unit, meaning, true};
+  }
 };
 inline AngleOfStroke rocker_swing() {
   return {"rocker_swing",

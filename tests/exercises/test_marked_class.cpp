@@ -116,6 +116,18 @@ TEST_CASE("a zero is nobody's slip") {
   CHECK(verdict_on("v_B_y", "0").starts_with("right; "));
 }
 
+// φ_t1 = 7 rad, s₄ is one arch; the percentage is of the true number, not of one a turn away.
+TEST_CASE("an angle turned through is no direction") {
+  const auto measured = [](const std::string& id, const std::string& told) {
+    return run_on_all({"check", id, "--measured", told});
+  };
+  CHECK(measured("cycloid-involute", "involute.phi_t1=0.717").exit == 1);
+  CHECK(measured("cycloid-involute", "involute.phi_t1=7.00").exit == 0);
+  CHECK(measured("cycloid-involute", "cycloid.phi_at_s4=0").exit == 1);
+  CHECK(measured("four-bar", "crank_rotation_extended_to_folded=-4.804").exit == 1);  // 1.479 the other way round
+  CHECK(tells(measured("four-bar-analytic", "theta_4=3").out, "difference -2.4 (-272 %)"));
+}
+
 // θ₃ = 1.2313 and θ₄ = -0.8808 to a hundredth: what is a thousand times larger may be off by 10 rad, more than a
 // turn.
 TEST_CASE("a wrong direction is nobody's multiple, and neither is what could as well be right") {

@@ -170,6 +170,11 @@ TEST_CASE("A sheet to be solved tells the question and leaves the answers open")
     CHECK(blank.measurements.empty());
     CHECK(blank.sheet.id == solved.sheet.id + "-blank");
     CHECK(blank.asked == solved.asked);
+    for (const std::string& name : blank.asked) {  // else no key has it, and nobody can mark it
+      const auto& reported = exercise.about().quantities();
+      CAPTURE(name);
+      CHECK(std::any_of(reported.begin(), reported.end(), [&](const Quantity& each) { return each.name == name; }));
+    }
     std::size_t tables = 0;
     for (const drawings::Block& block : blank.sheet.column) {
       CHECK_FALSE(std::holds_alternative<drawings::Steps>(block));

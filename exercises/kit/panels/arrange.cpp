@@ -475,7 +475,7 @@ DrawnSheet arrange(const Description& about, const std::string& sheet, const Sol
     const DrawnSheet solved = solved_figure(panels, onto, request);
     std::set<std::string> measured;
     for (const Measurement& each : solved.measurements) measured.insert(each.quantity);
-    asked = asked_on(solution, shown, [&](const std::string& quantity, const Place& P) {
+    asked = asked_on(about, solution, shown, [&](const std::string& quantity, const Place& P) {
       return !measured.contains(quantity) && is_off_sheet(P, panels, onto, request);
     });
     origin = letter_of_origin(names_of(asked.asked), solution, solved);

@@ -79,7 +79,7 @@ Words positive_senses(const std::vector<std::string>& quantities, const Solution
          ".";
 }
 
-AskedOnSheet asked_on(const Solution& solution, const PanelSheet& shown,
+AskedOnSheet asked_on(const Description& about, const Solution& solution, const PanelSheet& shown,
                       const std::function<bool(const std::string& quantity, const Place&)>& is_off_sheet) {
   std::vector<Result::Asked> all;
   const auto add_all = [&](const std::vector<Result>& results) {
@@ -92,8 +92,13 @@ AskedOnSheet asked_on(const Solution& solution, const PanelSheet& shown,
     for (const std::string& name : shown.told) all.push_back({name});
   AskedOnSheet found;
   std::set<std::string> seen;
+  const std::vector<Quantity>& reported = about.quantities();
+  const auto is_reported = [&](const std::string& name) {
+    return solution.has(name) && std::any_of(reported.begin(), reported.end(),
+                                             [&](const Quantity& quantity) { return quantity.name == name; });
+  };
   for (const Result::Asked& each : all) {
-    if (!solution.is_reported(each.quantity) || !seen.insert(each.quantity).second) continue;
+    if (!is_reported(each.quantity) || !seen.insert(each.quantity).second) continue;
     const std::string point = point_of(each.quantity, solution);
     const std::optional<Place> place = point.empty() ? std::nullopt : solution.point(point);
     if (!solution.value(each.quantity))

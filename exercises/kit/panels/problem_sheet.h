@@ -18,8 +18,9 @@ struct AskedOnSheet {
 
 // The quantities, each once, in the order in which the solved sheet tells them. A sheet without results asks for what
 // its other sections tell, and one that tells all in words of its own for what it tells somebody who does not see it.
-// What does not exist nobody can find; and of a point that `is_off_sheet` nobody measures a coordinate or distance.
-AskedOnSheet asked_on(const Solution& solution, const PanelSheet& shown,
+// Only what the exercise reports: nothing else can be marked. What does not exist nobody can find; and of a point
+// that `is_off_sheet` nobody measures a coordinate or distance.
+AskedOnSheet asked_on(const Description& about, const Solution& solution, const PanelSheet& shown,
                       const std::function<bool(const std::string& quantity, const Place&)>& is_off_sheet);
 
 std::vector<std::string> names_of(const std::vector<Result::Asked>& asked);

@@ -262,7 +262,7 @@ PrintedVerdict judged(const Printed& printed, const CheckedQuantity& quantity) {
     return verdict;
   geometry::Settled a_turn_off = quantity.settled;
   double& value = a_turn_off.enclosure.value;
-  value = nearest_turn(value, nearest(read_printed(printed.text).value), "deg");
+  value = nearest_turn(value, nearest(read_printed(printed.text).value), quantity.spec);
   const PrintedVerdict other = judge(printed, a_turn_off);
   return other.verdict == Verdict::disagrees ? verdict : other;
 }

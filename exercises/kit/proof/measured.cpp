@@ -65,15 +65,18 @@ Decimal read_measured(const std::string& text, const std::string& unit) {
   return number;
 }
 
-double whole_turn(const std::string& unit) { return unit == "deg" ? 360 : unit == "rad" ? 2 * std::numbers::pi : 0; }
+double whole_turn(const Quantity& quantity) {
+  if (quantity.is_rotation) return 0;
+  return quantity.unit == "deg" ? 360 : quantity.unit == "rad" ? 2 * std::numbers::pi : 0;
+}
 
-double nearest_turn(double value, double to, const std::string& unit) {
-  const double turn = whole_turn(unit);
+double nearest_turn(double value, double to, const Quantity& quantity) {
+  const double turn = whole_turn(quantity);
   return turn == 0 ? value : value + turn * std::round((to - value) / turn);
 }
 
-bool is_near(const Decimal& number, double value, const Rational& size, const std::string& unit) {
-  return CGAL::abs(excess(number, nearest_turn(value, nearest(number.value), unit))) <= size;
+bool is_near(const Decimal& number, double value, const Rational& size, const Quantity& quantity) {
+  return CGAL::abs(excess(number, nearest_turn(value, nearest(number.value), quantity))) <= size;
 }
 
 void add_measured(CheckedExercise& checked, CheckedQuantity& quantity, const std::string& text, const Ruler& ruler) {
@@ -85,11 +88,11 @@ void add_measured(CheckedExercise& checked, CheckedQuantity& quantity, const std
   Measured measured{
       .text = text, .value = nearest(number.value), .allowed = nearest(allowed.size), .allowed_by = allowed.by};
   if (has_value(quantity.settled)) {
-    const double value = nearest_turn(quantity.settled.enclosure.value, measured.value, quantity.spec.unit);
-    measured.within = is_near(number, value, allowed.size, quantity.spec.unit);
+    const double value = nearest_turn(quantity.settled.enclosure.value, measured.value, quantity.spec);
+    measured.within = is_near(number, value, allowed.size, quantity.spec);
     // Told in doubles: that 0.3 as typed is 1e-17 off the double 0.3 is nobody's error.
     measured.difference = measured.value - (number.signed_text ? value : std::abs(value));
-    measured.difference_percent = percent(Rational(*measured.difference), value);
+    measured.difference_percent = percent(Rational(*measured.difference), quantity.settled.enclosure.value);
     if (!measured.within)
       fail(format_words("{}: measured {} is beyond reading: {} off, {} allowed ({})",
                         "{}: misurata {}, oltre l'errore di lettura: scarto {}, ammesso {} ({})", quantity.spec.name,

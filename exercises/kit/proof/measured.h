@@ -71,13 +71,13 @@ Allowance allowance_of(const Decimal& number, const Allowance& by_reading);
 // the value. Throws geometry::BadGiven, also beyond ±1e60.
 Decimal read_measured(const std::string& text, const std::string& unit);
 
-// 360, 2π; 0 of what is no angle.
-double whole_turn(const std::string& unit);
-// The same direction as `value`, whole turns away, that is nearest to `to`; of what is no angle the value itself.
-double nearest_turn(double value, double to, const std::string& unit);
+// 360, 2π; 0 of what is no direction.
+double whole_turn(const Quantity& quantity);
+// The same direction as `value`, whole turns away, that is nearest to `to`; of what is no direction the value itself.
+double nearest_turn(double value, double to, const Quantity& quantity);
 
 // Whether the number is no further than `size` from the value, or from its magnitude when it is typed without sign;
-// an angle by whole turns.
-bool is_near(const Decimal& number, double value, const Rational& size, const std::string& unit);
+// a direction by whole turns.
+bool is_near(const Decimal& number, double value, const Rational& size, const Quantity& quantity);
 
 }  // namespace epure

@@ -16,9 +16,12 @@ struct Quantity {
   std::string symbol;  // rich text: "$ω_{3}$"
   std::string unit;    // "rad/s"; "1" for a pure number
   Words meaning;
+  bool is_rotation =
+      false;  // an angle that something turns through: whole turns count, as they do not of a direction
 
   // The same with other words.
-  Quantity meaning_that(const Words& other) const { return {name, symbol, unit, other}; }
+  Quantity meaning_that(const Words& other) const { return {name, symbol, unit, other, is_rotation}; }
+  Quantity turned_through() const { return {name, symbol, unit, meaning, true}; }
 };
 
 // A vector in the plane: two components, along the axes, and the length.
