@@ -41,6 +41,24 @@ Words better_order(const SweepStudy& study) {
   return {};
 }
 
+// From beyond one end of the axis to beyond the other, as from +∞ to -∞, nothing is known of the way.
+drawings::Curve parted_beyond(const drawings::ValueSpan& axis, const drawings::Curve& curve) {
+  const auto side = [&](const drawings::Datum& each) { return each.y > axis.high ? 1 : each.y < axis.low ? -1 : 0; };
+  drawings::Curve parted = curve;
+  parted.runs.clear();
+  for (const auto& run : curve.runs) {
+    parted.runs.emplace_back();
+    for (const drawings::Datum& each : run) {
+      auto& last = parted.runs.back();
+      if (!last.empty() && side(last.back()) * side(each) < 0)
+        parted.runs.push_back({each});
+      else
+        last.push_back(each);
+    }
+  }
+  return parted;
+}
+
 }  // namespace
 
 void demand_chart_file(const std::string& file) { chart_ending(file); }
@@ -89,9 +107,11 @@ void SweepChart::add(const SweptRow& row) {
     const SweptQuantity& quantity = row.quantities[i];
     if (quantity.state != SweptQuantity::State::value) is_broken = true;
     if (quantity.state != SweptQuantity::State::value || !is_drawn) continue;
-    if (is_broken) curve.runs.emplace_back();
+    const double value = quantity.enclosure.value;
+    if (is_broken || goes_over_end_of_turn(curve.runs.back().back().y, value, study_.quantities[i]))
+      curve.runs.emplace_back();
     is_broken = false;
-    curve.runs.back().push_back({study_.over.front().number(place), quantity.enclosure.value});
+    curve.runs.back().push_back({study_.over.front().number(place), value});
   }
 }
 
@@ -124,7 +144,8 @@ drawings::Chart SweepChart::chart(const std::string& unit) const {
   chart.y = value_axis(unit);
   if (chart.y.low < 0 && chart.y.high > 0) chart.horizontals = {{.at = 0}};
   for (std::size_t i = 0; i < curves_.size(); ++i)
-    if (study_.quantities[i / others_].unit == unit) chart.curves.push_back(curves_[i].curve);
+    if (study_.quantities[i / others_].unit == unit)
+      chart.curves.push_back(parted_beyond({chart.y.low, chart.y.high}, curves_[i].curve));
   constexpr double letters_left = 18;  // mm
   chart.letters_left = letters_left;
   return chart;

@@ -75,6 +75,11 @@ double nearest_turn(double value, double to, const Quantity& quantity) {
   return turn == 0 ? value : value + turn * std::round((to - value) / turn);
 }
 
+bool goes_over_end_of_turn(double from, double to, const Quantity& quantity) {
+  const double turn = whole_turn(quantity);
+  return turn > 0 && std::abs(to - from) > turn / 2;
+}
+
 bool is_near(const Decimal& number, double value, const Rational& size, const Quantity& quantity) {
   return CGAL::abs(excess(number, nearest_turn(value, nearest(number.value), quantity))) <= size;
 }

@@ -76,6 +76,10 @@ double whole_turn(const Quantity& quantity);
 // The same direction as `value`, whole turns away, that is nearest to `to`; of what is no direction the value itself.
 double nearest_turn(double value, double to, const Quantity& quantity);
 
+// Whether a direction, told within a turn, has gone over its end from one value to the next: the way there is no
+// curve.
+bool goes_over_end_of_turn(double from, double to, const Quantity& quantity);
+
 // Whether the number is no further than `size` from the value, or from its magnitude when it is typed without sign;
 // a direction by whole turns.
 bool is_near(const Decimal& number, double value, const Rational& size, const Quantity& quantity);
