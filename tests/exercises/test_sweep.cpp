@@ -643,6 +643,22 @@ TEST_CASE("charts: one for each unit, with gaps") {
   CHECK(contents("c.pdf").starts_with("%PDF-"));
 }
 
+// A crank's direction over the end of its turn; P₀ over infinity, where the crank is upright.
+TEST_CASE("a chart has no line where nothing runs") {
+  const Scratch scratch;
+  const auto svg = [](const std::string& of, const std::string& over, const std::string& quantity) {
+    CHECK(run_on_all({"sweep", of, "--over", over, "--quantity", quantity, "--chart", "c.svg", "-o", "c.csv"}).exit ==
+          0);
+    return contents("c.svg");
+  };
+  const std::string crank = svg("quick-return", "theta=0..360/73", "theta_2"),
+                    pole = svg("slider-crank-velocity", "phi=0..360/74", "P0_y");
+  CHECK(contains(crank, "-sweep-theta_2-2\""));
+  CHECK(!contains(crank, "-sweep-theta_2-3\""));
+  CHECK(contains(pole, "-sweep-P0_y-3\""));
+  CHECK(!contains(pole, "-sweep-P0_y-4\""));
+}
+
 TEST_CASE("a chart over the wrong given says which to name first") {
   const Scratch scratch;
   const Typed words{
