@@ -92,6 +92,8 @@ list_all = json.loads(output("list", "--json"))
 holds("list", list_all, "list --json")
 list_one = json.loads(output("list", "slider-crank-velocity", "--json"))
 holds("list", list_one, "list ID --json")
+for mechanism in ("quick-return", "excavator-arm"):  # whose charts and ranges are named after quantities
+    holds("list", json.loads(output("list", mechanism, "--json")), f"list {mechanism} --json")
 check_all = json.loads(output("check", "all", "--json"))
 holds("check", check_all, "check all --json")
 measured = json.loads(output("check", "slider-crank-velocity", "--json", "--measured", "v_B=5", "--set", "r=1/7"))
