@@ -11,7 +11,7 @@ namespace {
 
 // A mask would be a thread's own, and the system gives a signal to any thread that lets it through, also to one of a
 // library's: so they are caught.
-constexpr std::array ends{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+constexpr std::array ends{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGXCPU};
 std::atomic<int> waiting{0}, living{0};  // a signal; SignalsLater
 static_assert(std::atomic<int>::is_always_lock_free, "a handler may not wait");
 

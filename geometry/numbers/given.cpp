@@ -76,6 +76,7 @@ std::vector<Unit> make_units() {
       {"ft/s^2", Kind::acceleration, foot},
       {"N", Kind::force, 1},
       {"kN", Kind::force, 1000},
+      {"MN", Kind::force, 1000000},
       {"kgf", Kind::force, kgf},
       {"daN", Kind::force, 10},
       {"tf", Kind::force, kgf * 1000},

@@ -166,6 +166,7 @@ TEST_CASE("more digits are never worth less than the reading, fewer no more than
   CHECK(judged("c", "5.05e-1", {"--reading", "0.0001mm"}) == "wrong");
   CHECK(judged("c", "50.4 cm", {"--reading", "0.0001mm"}) == "wrong");
   CHECK(judged("c", "50 cm", {"--reading", "0.0001mm"}) == "right");
+  for (const char* power : {"5.0·10^-1", "5.0×10^-1 m", "50.0*10^1 mm"}) CHECK(judged("c", power) == "right");
   for (const std::string empty_words : {"0", "1", "0e0", "1e0", "0.6"}) {  // 0.6 ± 0.05 would not reach 0.5 anyway
     CAPTURE(empty_words);
     CHECK(judged("c", empty_words) != "right");

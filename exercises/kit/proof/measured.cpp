@@ -25,6 +25,13 @@ Decimal read_any_unit(const std::string& text, const std::string& unit) {
   return number;
 }
 
+// 5.1·10^3 as sheets print it, and 5.1×10^3.
+std::string with_e_for_powers(std::string text) {
+  for (const std::string_view times : {"·10^", "×10^", "*10^"})
+    if (const auto at = text.find(times); at != std::string::npos) text.replace(at, times.size(), "e");
+  return text;
+}
+
 std::string without_outer_blanks(const std::string& text) {
   const auto first = text.find_first_not_of(' ');
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
@@ -56,7 +63,7 @@ std::string without_uncertainty(const std::string& typed) {
 
 // Far from where doubles overflow, and beyond all that comes of the largest givens.
 Decimal read_measured(const std::string& text, const std::string& unit) {
-  Decimal number = read_any_unit(without_uncertainty(text), unit);
+  Decimal number = read_any_unit(with_e_for_powers(without_uncertainty(text)), unit);
   const Rational largest = geometry::parse_given("1e60", "1");
   if (CGAL::abs(number.value) > largest || number.half_unit > largest)
     throw geometry::BadGiven(format_words("\"{}\" must lie between -1e60 and 1e60{}",
