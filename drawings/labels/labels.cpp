@@ -40,13 +40,14 @@ class Placement {
 
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  enum class Kinds { clear, with_leader, all };
+  enum class Kinds { clear, along_line, with_leader, all };
   // Looks at one label beside another: many times what the fullest sheets take (1.1 million). Counted and not timed,
   // so that a sheet has the same places each time; in a crowd beyond it labels stay where they are by then.
   static constexpr std::size_t budget = 20'000'000;
 
   void add_options(std::size_t i, std::vector<Candidate> more) {
     if (labels_[i].naming) add_strangers(*labels_[i].naming, more);
+    if (is_number(i)) add_other_steps(labels_[i], more);
     std::vector<Candidate>& options = options_[i];
     options.insert(options.end(), more.begin(), more.end());
     std::stable_sort(options.begin(), options.end(),
@@ -79,6 +80,71 @@ class Placement {
     }
   }
 
+  static constexpr double along_by = 7;  // mm
+  // Of a number that stands on a line: elsewhere on that.
+  std::vector<Candidate> farther_along(const LabelBox& number) const {
+    constexpr double from_end = 8;  // mm
+    const auto& [from, to] = *number.along;
+    const Point way = unit(from, to);
+    const double here = dot(number.at - from, way), whole = distance(from, to);
+    std::vector<Candidate> places;
+    for (const double by : {along_by, -along_by, 2 * along_by, -2 * along_by}) {
+      if (here + by < from_end || here + by > whole - from_end) continue;
+      LabelBox moved = number;
+      moved.at = number.at + by * way;
+      for (Candidate& place : clear_places(moved, obstacles_, area_)) {
+        place.cost += price::along_line * std::abs(by);
+        places.push_back(place);
+      }
+    }
+    return places;
+  }
+
+  bool is_number(std::size_t i) const { return labels_[i].number != LabelBox::Number::no; }
+
+  // What another thing costs that is so far from a step's number, which what its step drew is `own` away from: the
+  // nearer of them is taken for what the step is about.
+  static double mistaken(double own, double other) {
+    constexpr double clearly_nearer = 1;  // mm
+    const double lack = (own + clearly_nearer - other) / clearly_nearer;
+    return lack <= 1 ? price::as_near_as_own * std::max(lack, 0.0)
+                     : std::lerp(price::as_near_as_own, price::stranger, std::min(2 * (lack - 1), 1.0));
+  }
+
+  // What another step drew is no stranger to a number where it runs through the point that this stands at, or along
+  // the line.
+  static bool is_stranger(const LabelBox& number, const Obstacle& o) {
+    constexpr double meets = 0.1, one_line = 0.5;  // mm
+    if (o.step == 0 || o.step == number.step) return false;
+    if (number.number == LabelBox::Number::at_point)
+      return std::abs(dot(left_of(unit(o.from, o.to)), number.at - o.from)) > meets;
+    if (!number.along) return true;
+    const Point across = left_of(unit(number.along->first, number.along->second));
+    return std::max(std::abs(dot(across, o.from - number.at)), std::abs(dot(across, o.to - number.at))) > one_line;
+  }
+
+  // The number of a step must not seem to belong to what another step drew.
+  void add_other_steps(const LabelBox& number, std::vector<Candidate>& options) const {
+    constexpr double reach = 7;  // mm: from a place without a leader as far as what it belongs to, and clearly more
+    const bool is_curve = number.number == LabelBox::Number::on_line && !number.along;
+    for (Candidate& option : options) {
+      if (option.leader) continue;
+      const Point here = middle(option.box);
+      double other = INFINITY;
+      option.own =
+          distance(here, number.along ? nearest_on(number.along->first, number.along->second, here) : number.at);
+      obstacles_.near(option.box, reach, [&](const Obstacle& o) {
+        const bool is_own = o.step == number.step && is_curve;
+        if (is_own || is_stranger(number, o)) {
+          double& nearest = is_own ? option.own : other;
+          nearest = std::min(nearest, distance(here, nearest_on(o.from, o.to, here)));
+        }
+        return true;
+      });
+      option.cost += mistaken(option.own, other);
+    }
+  }
+
   // By the places in the clear: asked before any others are looked at.
   std::vector<std::size_t> most_constrained_first() const {
     std::vector<std::size_t> order(labels_.size());
@@ -96,7 +162,11 @@ class Placement {
     const auto may_be_among = [&](double least) {
       return limit > least && (o >= options.size() || options[o].cost >= least);
     };
-    if (looked_at_[i] == Kinds::clear && may_be_among(price::leader)) {
+    if (looked_at_[i] == Kinds::clear && may_be_among(price::along_line * along_by)) {
+      if (labels_[i].along) add_options(i, farther_along(labels_[i]));
+      looked_at_[i] = Kinds::along_line;
+    }
+    if (looked_at_[i] == Kinds::along_line && may_be_among(price::leader)) {
       add_options(i, places_with_leader(labels_[i], obstacles_, area_));
       looked_at_[i] = Kinds::with_leader;
     }
@@ -140,7 +210,18 @@ class Placement {
 
   double together(std::size_t i, const Candidate& a, std::size_t j, const Candidate& b) const {
     const double letters = labels_[i].naming && labels_[j].naming ? read_as_one(a.box, b.box) : 0;
-    return letters + in_the_way(a, b);
+    return letters + beside_letters(i, a, j, b) + beside_letters(j, b, i, a) + in_the_way(a, b);
+  }
+
+  // A step's number that stands nearer to the letters of something else than to what its step drew.
+  double beside_letters(std::size_t number, const Candidate& a, std::size_t letters, const Candidate& b) const {
+    const LabelBox &of_number = labels_[number], &of_letters = labels_[letters];
+    if (!is_number(number) || is_number(letters) || a.leader || of_number.step == of_letters.step) return 0;
+    const Point at = of_number.at, here = middle(a.box);
+    constexpr double same = 0.1;  // mm
+    if (distance(at, nearest_on(of_letters.at, of_letters.to.value_or(of_letters.at), at)) < same) return 0;
+    const double nearer = a.own - distance(here, nearest_in(b.box, here));
+    return price::letters_of_another * std::clamp(nearer + 1, 0.0, 2.0);
   }
 
   static double in_the_way(const Candidate& a, const Candidate& b) {

@@ -14,6 +14,7 @@ struct Obstacle {
   Point from, to;
   double half_width = 0;
   bool heavy = true;
+  int step = 0;  // of the construction, which drew it; 0: it was there before
 };
 
 // Distance between a box and a segment; 0 when they meet.

@@ -58,7 +58,7 @@ void Canvas::remember(const Path& path, double width) {
   const std::vector<Point> points = flatten(path);
   for (std::size_t i = 1; i < points.size(); ++i) {
     const auto inside = clip_segment(points[i - 1], points[i], clip_);
-    if (inside) drawn_.add({inside->first, inside->second, width / 2, width > fine});
+    if (inside) drawn_.add({inside->first, inside->second, width / 2, width > fine, step_});
   }
 }
 

@@ -11,6 +11,7 @@
 #include "drawings/marks/canvas.h"
 #include "drawings/marks/symbols.h"
 #include "drawings/output.h"
+#include "drawings/paths/clip.h"
 #include "drawings/paths/vectors.h"
 #include "drawings/sheet/bars_below.h"
 #include "drawings/sheet/column.h"
@@ -25,11 +26,10 @@ namespace epure::drawings {
 
 namespace {
 
-// `steps`, here and below: which step draws what; null where nobody asks.
-void draw_marks(Canvas& canvas, const Figure& figure, Box area, const StepsOfMarks* steps) {
+void draw_marks(Canvas& canvas, const Figure& figure, Box area, const StepsOfMarks& steps) {
   for (std::size_t i = 0; i < figure.marks.size(); ++i) {
     canvas.clip_to(window_of(figure, i, area));
-    if (steps) canvas.in_step(steps->marks[i]);
+    canvas.in_step(steps.marks[i]);
     try {
       draw(canvas, figure.marks[i]);
     } catch (const std::invalid_argument& wrong) {
@@ -48,7 +48,6 @@ struct Placeable {
   double size = 0, descent = 0;
   Colour colour;
   int number = 0;
-  int step = 0;  // that draws it
   std::string name() const {
     return text.empty() ? fmt::format("step {}", number) : fmt::format("label '{}'", plain(text));
   }
@@ -63,15 +62,25 @@ Placeable placeable(const Label& label) {
           .colour = ink(label.ink)};
 }
 
-std::vector<Placeable> placeables(const Figure& figure, Box area, const StepsOfMarks* steps) {
+// What shows of a line or vector, if that is straight.
+std::optional<Segment> straight_part(const Figure& figure, std::size_t mark, Box area) {
+  const Box window = window_of(figure, mark, area);
+  if (const auto* arrow = std::get_if<Arrow>(&figure.marks[mark]))
+    return clip_segment(arrow->from, arrow->to, window);
+  const Path& path = std::get<Line>(figure.marks[mark]).path;
+  if (path.pieces.size() != 1 || !path.pieces.front().straight) return {};
+  return clip_segment(path.start, path.pieces.front().end, window);
+}
+
+std::vector<Placeable> placeables(const Figure& figure, Box area, const StepsOfMarks& steps) {
   const Namesakes namesakes(figure, figure.labels, area);
   std::vector<Placeable> all;
   for (std::size_t i = 0; i < figure.labels.size(); ++i) {
     const Label& label = figure.labels[i];
     if (label.text.empty()) continue;
     all.push_back(placeable(label));
-    if (steps) all.back().step = steps->labels[i];
     LabelBox& box = all.back().box;
+    box.step = steps.labels[i];
     box.naming = namesakes.of(label, box.width);
     if (label.to) std::tie(box.at, box.to) = box.naming->own;
   }
@@ -80,14 +89,19 @@ std::vector<Placeable> placeables(const Figure& figure, Box area, const StepsOfM
     if (!dimension || dimension->text.empty()) continue;
     const auto [from, to] = dimension_line(*dimension);
     all.push_back(placeable(Label{.text = dimension->text, .at = from, .to = to}));
-    if (steps) all.back().step = steps->marks[i];
+    all.back().box.step = steps.marks[i];
   }
-  for (const StepNumber& step : figure.steps)
-    all.push_back({.box = {step_diameter, step_diameter, step.at},
-                   .text = {},
-                   .colour = black,
-                   .number = step.number,
-                   .step = steps ? step.number : 0});
+  for (std::size_t i = 0; i < figure.steps.size(); ++i) {
+    const StepNumber& step = figure.steps[i];
+    LabelBox box{step_diameter, step_diameter, step.at};
+    box.step = step.number;
+    box.number = LabelBox::Number::at_point;
+    if (const auto line = steps.lines[i]) {
+      box.number = LabelBox::Number::on_line;
+      box.along = straight_part(figure, *line, area);
+    }
+    all.push_back({.box = box, .text = {}, .colour = black, .number = step.number});
+  }
   return all;
 }
 
@@ -127,7 +141,7 @@ void draw_placed(std::vector<Primitive>& ink, const Placeable& item, const Place
                              .colour = item.colour,
                              .anchor = anchor(place.box, named_at(item.box, place))});
   }
-  belongs_to(item.step, ink, before);
+  belongs_to(item.box.step, ink, before);
 }
 
 void report(std::vector<std::string>& conflicts, const std::vector<Placeable>& items,
@@ -140,12 +154,10 @@ void report(std::vector<std::string>& conflicts, const std::vector<Placeable>& i
   }
 }
 
-// `told`: the column, whose steps are asked for; null: they are not.
-std::vector<Primitive> figure_ink(const Figure& figure, Box area, const std::vector<Block>* told,
+// The column tells the steps.
+std::vector<Primitive> figure_ink(const Figure& figure, Box area, const std::vector<Block>& column,
                                   std::vector<std::string>* conflicts) {
-  std::optional<StepsOfMarks> of_marks;
-  if (told) of_marks = steps_of_marks(figure, *told);
-  const StepsOfMarks* const steps = of_marks ? &*of_marks : nullptr;
+  const StepsOfMarks steps = steps_of_marks(figure, column);
   Canvas canvas(area);
   draw_marks(canvas, figure, area, steps);
   const std::vector<Placeable> items = placeables(figure, area, steps);
@@ -180,41 +192,42 @@ Stroke frame_line(Box frame) {
 }
 
 // The figure, its scale bars right under it.
-std::vector<Primitive> bare_ink(const Sheet& sheet, const std::vector<Block>* told,
-                                std::vector<std::string>* conflicts) {
+std::vector<Primitive> bare_ink(const Sheet& sheet, std::vector<std::string>* conflicts) {
   Figure figure = sheet.figure;
   std::vector<ScaleBar> bars = taken_out(figure);
-  std::vector<Primitive> primitives = figure_ink(figure, drawing_area(sheet.paper), told, conflicts);
+  std::vector<Primitive> primitives = figure_ink(figure, drawing_area(sheet.paper), sheet.column, conflicts);
   append(primitives, bars_below(ink_box(primitives), std::move(bars), conflicts));
   return primitives;
 }
 
-Page composed(const Sheet& sheet, bool in_steps, std::vector<std::string>* conflicts) {
+// Each primitive says which step drew it.
+Page composed(const Sheet& sheet, std::vector<std::string>* conflicts) {
   const Timed timed(Work::layout);
-  const std::vector<Block>* const told = in_steps ? &sheet.column : nullptr;
   Page page{sheet.id, sheet.title, sheet.description, paper_box(sheet.paper), sheet.language, {}, !sheet.bare};
   if (sheet.bare) {
-    page.primitives = bare_ink(sheet, told, conflicts);
+    page.primitives = bare_ink(sheet, conflicts);
     const Box box = ink_box(page.primitives);
     if (!is_nothing(box)) page.extent = grown(box, 2);
     return page;
   }
-  page.primitives = figure_ink(sheet.figure, drawing_area(sheet.paper), told, conflicts);
+  page.primitives = figure_ink(sheet.figure, drawing_area(sheet.paper), sheet.column, conflicts);
   const Layout parts = layout(sheet.paper, title_block_height(sheet));
   page.primitives.push_back(frame_line(parts.frame));
   append(page.primitives, set_title_block(sheet, parts.title_block, conflicts));
-  std::vector<Primitive> column = set_column(sheet.column, parts.column, sheet.language, conflicts);
-  if (!in_steps) belongs_to(0, column);
-  append(page.primitives, std::move(column));
+  append(page.primitives, set_column(sheet.column, parts.column, sheet.language, conflicts));
   return page;
 }
 
 }  // namespace
 
-Page compose(const Sheet& sheet, std::vector<std::string>* conflicts) { return composed(sheet, false, conflicts); }
+Page compose(const Sheet& sheet, std::vector<std::string>* conflicts) {
+  Page page = composed(sheet, conflicts);
+  belongs_to(0, page.primitives);
+  return page;
+}
 
 Page compose_in_steps(const Sheet& sheet) {
-  Page page = composed(sheet, true, nullptr);
+  Page page = composed(sheet, nullptr);
   for (const Block& block : sheet.column)
     if (const auto* steps = std::get_if<Steps>(&block))
       page.steps.insert(page.steps.end(), steps->lines.begin(), steps->lines.end());

@@ -108,6 +108,7 @@ class Finder {
   StepsOfMarks find() {
     found_.marks.assign(figure_.marks.size(), 0);
     found_.labels.assign(figure_.labels.size(), 0);
+    found_.lines.assign(figure_.steps.size(), std::nullopt);
     if (words_.empty()) return found_;
     for (std::size_t i = 0; i < figure_.marks.size(); ++i) {
       const KnownStep known = known_of_mark(i);
@@ -130,6 +131,7 @@ class Finder {
       const int told = first_to_speak_of(dimension.text);
       return told > 0 ? told : std::max(of_point(dimension.from).value_or(0), of_point(dimension.to).value_or(0));
     });
+    for (std::size_t i = 0; i < figure_.steps.size(); ++i) found_.lines[i] = line_under(figure_.steps[i]);
     return found_;
   }
 
@@ -230,6 +232,14 @@ class Finder {
   bool is_named(Point p) const {
     return is_given(p) || std::any_of(figure_.labels.begin(), figure_.labels.end(),
                                       [&](const Label& label) { return !label.to && is_same(label.at, p); });
+  }
+
+  bool is_point(Point p) const {
+    return is_named(p) || std::any_of(figure_.marks.begin(), figure_.marks.end(), [&](const Mark& mark) {
+             const auto* dot = std::get_if<Dot>(&mark);
+             const auto* cross = std::get_if<Cross>(&mark);
+             return (dot && is_same(dot->at, p)) || (cross && is_same(cross->at, p));
+           });
   }
 
   // When a point was there; none: nothing tells.
@@ -417,6 +427,15 @@ class Finder {
   static std::vector<Point> chords_of(const Mark& mark) {
     if (const auto* arrow = std::get_if<Arrow>(&mark)) return {arrow->from, arrow->to};
     if (const auto* line = std::get_if<Line>(&mark)) return flatten(line->path);
+    return {};
+  }
+
+  // A line or a vector; none for a number that stands at a point, where others may meet.
+  std::optional<std::size_t> line_under(const StepNumber& step) const {
+    if (is_point(step.at)) return {};
+    for (std::size_t i = 0; i < figure_.marks.size(); ++i)
+      if (found_.marks[i] == step.number && distance_to_chords(step.at, chords_of(figure_.marks[i])) < same_place)
+        return i;
     return {};
   }
 

@@ -4,6 +4,7 @@
 // stands between. What the figure itself knows of a mark's step goes before all this.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "drawings/picture.h"
@@ -13,6 +14,7 @@ namespace epure::drawings {
 // For each mark, label and number of a figure its step; 0: it was there before the first, or nothing tells.
 struct StepsOfMarks {
   std::vector<int> marks, labels;
+  std::vector<std::optional<std::size_t>> lines;  // under each number: which mark its step drew there, if any
 };
 
 StepsOfMarks steps_of_marks(const Figure& figure, const std::vector<Block>& column);

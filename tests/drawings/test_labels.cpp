@@ -333,6 +333,63 @@ TEST_CASE("letters of two things do not stand in one row as one word") {
   CHECK_FALSE(in_one_row(true));
 }
 
+namespace {
+
+// Where the number of step 1 is placed.
+Place number_among(const LabelBox& number, const std::vector<Obstacle>& lines) {
+  Obstacles obstacles(a4_area);
+  for (const Obstacle& line : lines) obstacles.add(line);
+  return place_labels({number}, obstacles, a4_area).front();
+}
+
+LabelBox number_on(const Segment& line) {
+  LabelBox number{.width = 4, .height = 4, .at = between(line.first, line.second, 0.3), .step = 1};
+  number.number = LabelBox::Number::on_line;
+  number.along = line;
+  return number;
+}
+
+double off(Box box, const Obstacle& line) { return gap(box, line.from, line.to); }
+
+}  // namespace
+
+TEST_CASE("the number of a step stands on the side of its line where no other is near") {
+  const Point from = middle(a4_area), to = from + Point{60, 0};
+  for (const double side : {1.0, -1.0}) {
+    const Obstacle own{from, to, 0.1, true, 1},
+        other{from + Point{0, side * 6}, to + Point{0, side * 6}, 0.1, true, 2};
+    const Place place = number_among(number_on({from, to}), {own, other});
+    CAPTURE(side);
+    CHECK_FALSE(place.leader);
+    CHECK(off(place.box, own) + 1 < off(place.box, other));
+    CHECK((middle(place.box).y - from.y) * side < 0);
+  }
+}
+
+TEST_CASE("the number of a step whose line lies between two of another has a leader, or stands where they end") {
+  const Point from = middle(a4_area), to = from + Point{60, 0};
+  const auto beside = [&](double y, double length) {
+    return Obstacle{from + Point{0, y}, from + Point{length, y}, 0.1, true, 2};
+  };
+  const Obstacle own{from, to, 0.1, true, 1};
+  const Place dense = number_among(number_on({from, to}), {own, beside(2, 60), beside(-2, 60)});
+  REQUIRE(dense.leader);
+  CHECK(gap(Box{dense.leader->second, dense.leader->second}, from, to) < 1);
+  const Place free = number_among(number_on({from, to}), {own, beside(2, 24), beside(-2, 24)});
+  CHECK_FALSE(free.leader);
+  CHECK(off(free.box, own) < off(free.box, beside(2, 24)));
+}
+
+TEST_CASE("the number of a step stands nearer to its line than to the letters of another") {
+  const Point from = middle(a4_area), to = from + Point{60, 0};
+  const LabelBox number = number_on({from, to});
+  const LabelBox letters{.width = 12, .height = 3, .at = number.at + Point{0, 6}, .away_from = from, .step = 2};
+  Obstacles obstacles(a4_area);
+  obstacles.add({from, to, 0.1, true, 1});
+  const auto places = place_labels({number, letters}, obstacles, a4_area);
+  CHECK(gap(places[0].box, places[1].box) > gap(places[0].box, from, to));
+}
+
 TEST_CASE("labels of things off the drawing are left out and reported") {
   Figure figure;
   figure.labels = {{"far", {500, 500}}, {"near", middle(a4_area)}};

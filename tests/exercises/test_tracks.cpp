@@ -54,6 +54,12 @@ TEST_CASE("what the eye tells apart stays in its place", "[tracks]") {
   for (const VectorOnPaper& other : others) CHECK(how_far(tracks({{{0, 0}, {40, 0}}, other}, {20, 10})[1]) == 0);
 }
 
+TEST_CASE("what stands aside crosses no other so slimly that the eye does not tell which goes on where", "[tracks]") {
+  const VectorOnPaper sum{{100, 0}, {0, 0}}, back{{0, 0}, {100, 0}}, part{{100, -3}, {0, 0}};
+  CHECK(tracks({back, sum}, {50, 10})[1].by.y < -1);  // away from the middle
+  CHECK(tracks({back, part, sum}, {50, 10})[2].by.y > 1);
+}
+
 TEST_CASE("a vector all but on another's line stands aside too", "[tracks]") {
   CHECK(how_far(tracks({{{0, 0}, {40, 0}}, {{0, 0.6}, {40, 0}}}, {20, 10})[1]) > 1);
 }

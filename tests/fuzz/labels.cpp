@@ -41,12 +41,17 @@ Crowd crowd(Bytes& in) {
     const int kind = in.byte() % 8;
     const Point from = point(in);
     if (kind < 3) {
-      made.lines.push_back({from, kind == 0 ? from : point(in), (in.byte() % 4) / 4.0, kind == 2});
+      made.lines.push_back({from, kind == 0 ? from : point(in), (in.byte() % 4) / 4.0, kind == 2, kind});
       continue;
     }
     LabelBox label{.width = 1 + in.byte() / 4.0, .height = 2 + in.byte() / 32.0, .at = from};
     if (kind > 4) label.to = point(in);
     if (kind == 7) label.away_from = point(in);
+    if (kind < 5) {
+      label.step = kind - 2;
+      label.number = kind == 3 ? LabelBox::Number::at_point : LabelBox::Number::on_line;
+      if (kind == 4) label.along = Segment{from, point(in)};
+    }
     if (kind % 2 == 0 && !made.lines.empty()) {
       label.naming = Naming{{from, label.to.value_or(from)}, {}};
       for (const Obstacle& line : made.lines)

@@ -495,8 +495,12 @@ void draw_polygon(Plot& plot, const VectorPolygon& polygon, const PolygonStage& 
   draw_sides(on, sides, stage);
   int left = stage.steps - all;
   std::size_t track = sides.size();
+  int step = all - stage.first_numbered + 1;  // of the picture
   for (const PolygonImage& image : polygon.images) {
+    const bool is_step = !image.explained.empty();
+    if (is_step) plot.in_step(++step);
     if (left-- > 0) draw_image(on, image, on.tracks[track], on.tracks[track + 1]);
+    if (is_step) plot.in_step({});
     track += 2;
   }
   plot.dot(O, polygon.meaning);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "drawings/labels/candidates.h"
 #include "drawings/paths/vectors.h"
 
 namespace epure {
@@ -20,6 +21,13 @@ bool ends_before(const VectorOnPaper& a, const VectorOnPaper& b) {
   constexpr double one_point = 0.9, heads_apart = 6;  // mm
   return drawings::distance(a.first, b.first) < one_point && dot(a.second - a.first, b.second - b.first) > 0 &&
          drawings::distance(b.first, b.second) < drawings::distance(a.first, a.second) - heads_apart;
+}
+
+// At so small an angle that the eye does not tell which goes on where.
+bool cross_slimly(const VectorOnPaper& a, const VectorOnPaper& b) {
+  constexpr double slim = 0.1;  // rad
+  return drawings::cross(a, b) && std::abs(dot(drawings::left_of(drawings::unit(a.first, a.second)),
+                                               drawings::unit(b.first, b.second))) < slim;
 }
 
 // Across a vector, away from the middle of the figure; from a middle on its line, to the left.
@@ -58,6 +66,7 @@ std::vector<Track> tracks(const std::vector<VectorOnPaper>& vectors, Point middl
     const auto is_free = [&](Point by) {
       return std::none_of(before.begin(), before.end(), [&](std::size_t i) {
         const VectorOnPaper there = moved(vectors[i], all[i].by), here = moved(v, by);
+        if (drawings::length(by) > 0 && cross_slimly(there, here)) return true;
         return covered(there, here) && !(which == LyingOver::of_a_polygon && ends_before(there, here));
       });
     };
