@@ -81,7 +81,7 @@ PanelSheet virtual_work(const Solution& s, const std::string& name) {
               "La normale alla leva in $B$ incontra la retta $CA$ in $P_{24}$: vi hanno la stessa velocità manovella "
               "e leva, $ω_{2}$·$P_{24}A$ = $ω_{4}$·$P_{24}C$. Le velocità si riportano per $ω_{2}$ = 1 rad/s."},
              P24);
-  poles.load(of.load("F", "", ""), end_of_ram(of));
+  poles.load(of.load("F", "", ""), D);
   const Arrow2 crank = B - A, frame = C - A;
   poles.couple("$\\it{M}$", A, of["M"], {std::atan2(crank.y, crank.x), std::atan2(frame.y, frame.x)});
   poles.step(

@@ -268,7 +268,8 @@ inline std::shared_ptr<const MechanismFigure> with_ram(Mechanism drawn, const Ca
   drawn.point("D", D, Mechanism::Joint::corner, "")
       .point("ram", end_of_ram(of), Mechanism::Joint::corner, "")
       .body({"D", "ram"}, 6);
-  drawn.surface(D + AB * Arrow2{0.5, -0.06}, D + AB * Arrow2{0.9, -0.06});
+  // Above, where with friction it presses; below there is room for the load.
+  drawn.surface(D + AB * Arrow2{0.9, 0.06}, D + AB * Arrow2{0.5, 0.06});
   const double theta = of.radians("theta"), beside = 0.3 * AB;
   drawn.point("block 3", B + beside * Arrow2{std::cos(theta), -std::sin(theta)}, Mechanism::Joint::corner, "3")
       .point("block 5", D + -beside * Arrow2{1, 0}, Mechanism::Joint::corner, "5");
