@@ -2,6 +2,8 @@
 #include "exercises/aircraft-landing/landing.h"
 #include "exercises/aircraft-landing/sheets.h"
 #include "exercises/kit/panels/chained_polygons_panel.h"
+#include "exercises/kit/panels/free_body_panel.h"
+#include "exercises/kit/panels/mechanism.h"
 #include "exercises/kit/panels/polygon_panel.h"
 #include "exercises/kit/panels/sheet.h"
 
@@ -44,6 +46,32 @@ VectorPolygon around(const Solution& s, const std::string& letter, const std::st
   return force_polygon(letter, {inertia}, std::move(right));
 }
 
+// The aircraft as a box on its wheel, going to the right, with the forces of its polygon.
+FreeBodyPanel cut_free(const Solution& s, const VectorPolygon& polygon) {
+  using Joint = Mechanism::Joint;
+  using Arrow = FreeBodyPanel::Arrow;
+  const double R = CGAL::to_double(Landing(s.givens()).R), half = 3 * R, low = 2 * R, high = 4 * R;
+  const Place middle{0, 3 * R};
+  Mechanism drawn;
+  drawn.point("C", {0, 0}, Joint::none, "").point("G", {0, R}, Joint::mass, "").disc("G", "C", true);
+  drawn.point("1", {-half, low}, Joint::corner, "")
+      .point("2", {half, low}, Joint::corner, "")
+      .point("3", {half, high}, Joint::corner, "")
+      .point("4", {-half, high}, Joint::corner, "")
+      .point("leg", {0, low}, Joint::corner, "")
+      .body({"G", "leg"})
+      .body({"1", "2", "3", "4"});
+  FreeBodyPanel body(std::make_shared<const Mechanism>(std::move(drawn)));
+  const std::vector<PolygonSide>& on = polygon.right;
+  body.force(on[0], middle)
+      .force(on[1], {-half / 2, high}, Arrow::ends)
+      .force(on[2], just_above_ground(R))
+      .force(on[3], {half, middle.y}, Arrow::ends)
+      .force(on[4], {s["u"], 0}, Arrow::ends)
+      .force(polygon.left.front(), middle);
+  return body;
+}
+
 }  // namespace
 
 PanelSheet forces_sheet(const Solution& s, Language language) {
@@ -68,15 +96,23 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
                     "Quando la ruota rotola, allo stesso modo, con l'attrito $\\vec{\\it{F}}'$ che la tiene al passo "
                     "e l'accelerazione $\\vec{a}'$."},
                    {0, 0});
-  return {.panels = panels(PolygonPanel(s, around(s, "1", "v_0", "N_0", "F_0", "a_0", "")), rolling),
-          .results = {values({"F_x_0", "F_y_0"}), remark(upwards.in(language)), values({"N_0", "F_0"}),
-                      values({"a_0", "omega_dot_0"}), remark(moments.in(language)), values({"N_s", "F_after"}),
-                      remark(sense_after(s).in(language)), values({"a_after", "F_after_over_N"}), values({"u"}),
-                      remark(grip.in(language))},
-          .seen = {"Polygons of the forces on aircraft and wheel at touch-down and after the wheel has taken hold",
-                   "Poligoni delle forze su aereo e ruota al contatto e dopo che la ruota ha aderito"},
-          .told = {"N_0", "F_0", "a_0", "N_s", "F_after", "a_after"},
-          .without_part = {"Delta_t"}};
+  const Words names{
+      "$\\vec{\\it{P}}$ weight, $\\vec{\\it{F}}_{y}$ and $\\vec{\\it{F}}_{x}$ downward force and drag of the flaps, "
+      "$\\vec{\\it{F}}$ friction, $\\vec{\\it{N}}$ reaction of the ground.",
+      "$\\vec{\\it{P}}$ peso, $\\vec{\\it{F}}_{y}$ e $\\vec{\\it{F}}_{x}$ forza verso il basso e resistenza dei "
+      "flap, "
+      "$\\vec{\\it{F}}$ attrito, $\\vec{\\it{N}}$ reazione del terreno."};
+  const VectorPolygon first = around(s, "1", "v_0", "N_0", "F_0", "a_0", "");
+  return {
+      .panels = panels(cut_free(s, first), PolygonPanel(s, first), rolling),
+      .results = {remark(names.in(language)), values({"F_x_0", "F_y_0"}), remark(upwards.in(language)),
+                  values({"N_0", "F_0"}), values({"a_0", "omega_dot_0"}), remark(moments.in(language)),
+                  values({"N_s", "F_after"}), remark(sense_after(s).in(language)),
+                  values({"a_after", "F_after_over_N"}), values({"u"}), remark(grip.in(language))},
+      .seen = {"The aircraft with its forces, and their polygons at touch-down and after the wheel has taken hold",
+               "L'aereo con le sue forze, e i loro poligoni al contatto e dopo che la ruota ha aderito"},
+      .told = {"N_0", "F_0", "a_0", "N_s", "F_after", "a_after"},
+      .without_part = {"Delta_t"}};
 }
 
 }  // namespace epure::aircraft_landing

@@ -14,4 +14,7 @@ PanelSheet integration_sheet(const Solution& s, Language language);
 // What a negative friction of the rolling wheel means; empty of a positive one.
 Words sense_after(const Solution& s);
 
+// Where friction acts on a wheel of this radius, drawn: in the line of the ground its arrow would be lost.
+Place just_above_ground(double R);
+
 }  // namespace epure::aircraft_landing

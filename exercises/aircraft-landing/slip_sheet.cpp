@@ -86,6 +86,8 @@ PanelSheet slip_sheet(const Solution& s, Language language) {
                   "$\\it{L}_{F}$ is lost by sliding.",
                   "La ruota, che aveva $\\it{J}_{r}ω_{0}^{2}$/2, riceve quanto manca a $\\it{E}_{s}$; si perde "
                   "$\\it{L}_{F}$ strisciando."};
+  const Words lost{" $\\it{L}_{x}$ is lost to the drag, $\\it{L}_{u}$ to the rolling friction.",
+                   " $\\it{L}_{x}$ si perde per la resistenza, $\\it{L}_{u}$ per l'attrito volvente."};
   return {
       .panels = panels(ChartPanel(chart, read)),
       .theory = {{{"In closed form", "In forma chiusa"}, closed_form(Landing(s.givens()), language)},
@@ -93,7 +95,7 @@ PanelSheet slip_sheet(const Solution& s, Language language) {
       .results = {values({"t_s", "v_s"}), values({"omega_s", "omega_rolling_0"}),
                   values({"t_s_tangents", "v_s_tangents"}), values({"ground_path_s", "rolled_path_s"}),
                   values({"slip_path_s", "wheel_angle_s"}), values({"v_10ms", "omega_10ms"}),
-                  remark(works.in(language)), values({"wheel_energy_s", "friction_work_s"}),
+                  remark((works + lost).in(language)), values({"wheel_energy_s", "friction_work_s"}),
                   values({"drag_work_s", "rolling_work_s"})},
       .seen = {"Speeds of aircraft and rim over time until slip ends, with the ways as areas",
                "Velocità dell'aereo e della periferia nel tempo fino alla fine dello strisciamento, con gli spazi "

@@ -53,7 +53,7 @@ FreeBodyPanel cut_free(const Wheel& of, const std::string& prime) {
   drawn.point("C", {0, 0}, Joint::none, "").point("G", hub, Joint::mass, "$G$").disc("G", "C", true);
   FreeBodyPanel body(std::make_shared<const Mechanism>(std::move(drawn)));
   body.force(of.N, foot, FreeBodyPanel::Arrow::ends)
-      .force(of.F, {0, 0})
+      .force(of.F, just_above_ground(of.R))
       .force(of.weight, hub)
       .force(of.inertia, hub)
       .force(of.hub, hub, prime.empty() ? FreeBodyPanel::Arrow::starts : FreeBodyPanel::Arrow::ends)
@@ -63,6 +63,8 @@ FreeBodyPanel cut_free(const Wheel& of, const std::string& prime) {
 }
 
 }  // namespace
+
+Place just_above_ground(double R) { return {0, 0.12 * R}; }
 
 Words sense_after(const Solution& s) {
   if (s["F_after"] >= 0) return {};

@@ -1,15 +1,13 @@
 // The crane's sheets.
 #pragma once
 
-#include <memory>
-
-#include "exercises/kit/panels/mechanism_figure.h"
+#include "exercises/kit/panels/free_body_panel.h"
 #include "exercises/kit/panels/panel_sheet.h"
 
 namespace epure::boat_crane {
 
-// Beam and column on their supports.
-std::shared_ptr<const MechanismFigure> whole_crane(const Solution& s);
+// Beam and column on their supports, with the boat's weight: all that a student starts from.
+FreeBodyPanel loaded_crane(const Solution& s);
 
 PanelSheet reactions_sheet(const Solution& s, Language language);
 PanelSheet elastic_sheet(const Solution& s, Language language);

@@ -2,7 +2,6 @@
 // of the boat with the column's shortening.
 #include "exercises/boat-crane/sheets.h"
 #include "exercises/kit/panels/beam_panel.h"
-#include "exercises/kit/panels/free_body_panel.h"
 #include "exercises/kit/panels/load_line_panel.h"
 #include "exercises/kit/panels/sheet.h"
 
@@ -32,12 +31,13 @@ BeamDiagram moments(const Solution& s) {
 
 BeamDiagram shear(const Solution& s) {
   const double L = length(s), BC = s["T_1_BC"], CD = s["T_1_CD"];
-  return {.of_vectors = true,
-          .name = "$\\it{T}$",
-          .runs = {{.points = {{0, 0}, {0, BC}, {L, BC}, {L, CD}, {3 * L, CD}, {3 * L, 0}},
-                    .meaning = Meaning::force,
-                    .is_area = true}},
-          .ordinates = {{"T_1_BC", "", L / 2, 0, BC, 1}, {"T_1_CD", "", 2 * L, 0, CD, 1}}};
+  return {
+      .of_vectors = true,
+      .name = "$\\it{T}$",
+      .runs = {{.points = {{0, 0}, {0, BC}, {L, BC}, {L, CD}, {3 * L, CD}, {3 * L, 0}},
+                .meaning = Meaning::force,
+                .is_area = true}},
+      .ordinates = {{"T_1_BC", "$\\it{T}_{BC}$", L / 2, 0, BC, 1}, {"T_1_CD", "$\\it{T}_{CD}$", 2 * L, 0, CD, 1}}};
 }
 
 LoadLinePanel force_plan(const Solution& s, Language language) {
@@ -61,13 +61,6 @@ LoadLinePanel force_plan(const Solution& s, Language language) {
                    "$\\it{Y}_{A}$ va dalla punta di $\\it{P}$ a $b$, $\\it{Y}_{B}$ da $b$ alla coda."},
                   {0, b},
                   true}}});
-}
-
-// With the boat's weight, all that a student starts from.
-FreeBodyPanel loaded_crane(const Solution& s) {
-  FreeBodyPanel crane(whole_crane(s));
-  crane.load({.label = "$\\it{P}$", .v = {0, -s["P"]}}, {3 * length(s), 0});
-  return crane;
 }
 
 }  // namespace
@@ -94,9 +87,10 @@ PanelSheet reactions_sheet(const Solution& s, Language language) {
           {"The shear: −$\\it{R}_{B}$ up to $C$, there it jumps by $\\it{Y}_{A}$ to $\\it{P}$. ($\\it{N}$ = 0.)",
            "Il taglio: −$\\it{R}_{B}$ fino a $C$, dove salta di $\\it{Y}_{A}$ fino a $\\it{P}$. ($\\it{N}$ = 0.)"});
   const std::string h = figures(s["pole_distance"], 4, language);
-  const Words scale = Words{"Scale of moments: $h$ times that of lengths. An ordinate of 1 m is worth ",
-                            "Scala dei momenti: $h$ per quella delle lunghezze. Un'ordinata di 1 m vale "} +
-                      Words{h, h} + Words{" N m.", " N m."};
+  const Words scale =
+      Words{"$\\it{M}_{BC}$, $\\it{M}_{CD}$: in the middle of $BC$ and $CD$. An ordinate of 1 m is worth ",
+            "$\\it{M}_{BC}$, $\\it{M}_{CD}$: a metà di $BC$ e $CD$. Un'ordinata di 1 m vale "} +
+      Words{h, h} + Words{" N m.", " N m."};
   const Words directions{"On crane and beam the arrows show directions, in the plan of forces sizes too.",
                          "Su gru e trave le frecce danno le direzioni, nel piano delle forze anche le intensità."};
   const Words doubled{
@@ -113,7 +107,7 @@ PanelSheet reactions_sheet(const Solution& s, Language language) {
                    "La gru, la trave isolata, il piano delle forze con polo e raggi, il poligono funicolare come "
                    "diagramma dei momenti, e sotto il taglio"},
           .told = {"P", "Y_A", "Y_B", "M_C", "T_1_BC", "T_1_CD"},
-          .without_part = {"H_0", "s_1", "H_1", "b_1", "s_2", "H_2", "b_2", "sigma_S", "Delta_sigma_L", "Psi", "E"}};
+          .without_part = {"s_1", "H_1", "b_1", "s_2", "H_2", "b_2", "sigma_S", "Delta_sigma_L", "Psi", "E"}};
 }
 
 namespace {
@@ -166,10 +160,12 @@ LoadLinePanel williot(const Solution& s) {
                    "$\\it{Y}_{A}\\it{H}_{0}$/($\\it{EA}_{2}$).",
                    "Diagramma di Williot: $B$ resta in $b'$; $C$ scende dell'accorciamento della colonna $Δ\\it{H}$ "
                    "= $\\it{Y}_{A}\\it{H}_{0}$/($\\it{EA}_{2}$)."},
-                  {0, c}},
+                  {0, c},
+                  true},
                  {{"$b'c'd'$ is similar to $BCD$: the rigid beam carries $D$ three times as far down, by $v_{D,r}$.",
                    "$b'c'd'$ è simile a $BCD$: la trave rigida porta $D$ tre volte più giù, di $v_{D,r}$."},
-                  {1, d}}}});
+                  {1, d},
+                  true}}});
 }
 
 }  // namespace
@@ -177,7 +173,6 @@ LoadLinePanel williot(const Solution& s) {
 PanelSheet elastic_sheet(const Solution& s, Language language) {
   const double L = length(s), C = s["axis_at_C"];
   BeamDiagram areas = cut_free(L, {{"$\\it{Ω}_{BC}$", 2 * L / 3, -1}, {"$\\it{Ω}_{CD}$", 5 * L / 3, -1}});
-  areas.name = "$\\it{M}$";
   areas.runs = {
       {.points = {{0, 0}, {L, s["moment_ordinate"]}, {3 * L, 0}}, .meaning = Meaning::force, .is_area = true}};
   areas.ordinates = {{"M_C", "$\\it{M}_{C}$", L, s["moment_ordinate"], 0, s["pole_distance"]}};
@@ -196,9 +191,9 @@ PanelSheet elastic_sheet(const Solution& s, Language language) {
       .step(1, {s["xi_v_max_BC"], C * s["xi_v_max_BC"] / L + s["enlargement"] * s["v_max_BC"]},
             {"$v_{max}$ where the tangent is parallel to it, at $ξ_{v}$ = $\\it{L}$/√3.",
              "$v_{max}$ dove la tangente le è parallela, a $ξ_{v}$ = $\\it{L}$/√3."})
-      .step(1, {3 * L, s["tangent_at_D"]},
-            {"The boat goes down by bending and with the column: $v_{D}$ = $v_{D,f}$ + $v_{D,r}$.",
-             "La barca scende per flessione e con la colonna: $v_{D}$ = $v_{D,f}$ + $v_{D,r}$."});
+      .last_step(1, {3 * L, s["tangent_at_D"]},
+                 {"The boat goes down by bending and with the column: $v_{D}$ = $v_{D,f}$ + $v_{D,r}$.",
+                  "La barca scende per flessione e con la colonna: $v_{D}$ = $v_{D,f}$ + $v_{D,r}$."});
   return {.panels = panels(weights(s, language), williot(s), beam),
           .results = {values({"M_C"}), values({"moment_area_BC", "moment_area_CD"}), values({"theta_B", "theta_C"}),
                       values({"theta_D", "xi_v_max_BC"}), workshop_values({"J_x1"}),

@@ -82,7 +82,7 @@ class ColumnPanel : public Panel {
 
 }  // namespace
 
-std::shared_ptr<const MechanismFigure> whole_crane(const Solution& s) {
+FreeBodyPanel loaded_crane(const Solution& s) {
   using Joint = Mechanism::Joint;
   const double L = CGAL::to_double(s.givens()["L"]), H = CGAL::to_double(s.givens()["H_0"]);
   Mechanism drawn;
@@ -92,9 +92,15 @@ std::shared_ptr<const MechanismFigure> whole_crane(const Solution& s) {
       .point("A", {L, -H}, Joint::fixed, "$A$")
       .body({"B", "C", "D"})
       .body({"C", "A"});
+  constexpr double upwards = std::numbers::pi / 2;
+  drawn.offset("C", {0, 0}, upwards, 0, "$\\it{L}$")
+      .offset("D", {0, 0}, upwards, L / 3, "3$\\it{L}$")
+      .offset("A", {L, 0}, 0, 0, "$\\it{H}_{0}$");
   MechanismWithBlocks crane(std::move(drawn));
   crane.hinge_under({L, 0}, {L, -H});
-  return std::make_shared<const MechanismWithBlocks>(std::move(crane));
+  FreeBodyPanel loaded(std::make_shared<const MechanismWithBlocks>(std::move(crane)));
+  loaded.load({.label = "$\\it{P}$", .v = {0, -s["P"]}}, {3 * L, 0});
+  return loaded;
 }
 
 PanelSheet section_sheet(const Solution& s, Language language) {
@@ -369,7 +375,7 @@ PanelSheet checks_sheet(const Solution& s, Language language) {
       "600·9,80665 N. È il doppio di quanto dichiara; ricalcolata così, ognuna delle sue formule torna. Una verifica "
       "vale "
       "se il grado di utilizzo $u$ non supera 1."};
-  return {.panels = panels(MechanismPanel(whole_crane(s)), std::move(table)),
+  return {.panels = panels(loaded_crane(s), std::move(table)),
           .theory = {{{"Both masses", "Le due masse"}, {remark(why.in(language))}}},
           .results = {remark(kept.in(language)), values({"P"}), value_as("$\\it{P}$ (600 kg)", with_600 + "P"),
                       asked_for},

@@ -125,19 +125,23 @@ CamPanel inversion(const Solution& s) {
 Result lifts() {
   std::vector<Row> both;
   for (int n = 0; n < 180; n += 30)
-    both.push_back({std::to_string(n) + "°, " + std::to_string(n + 180) + "°",
+    both.push_back({std::to_string(n) + "°",
                     {name("lift_at_" + std::to_string(n)), name("lift_at_" + std::to_string(n + 180))}});
-  return table({"$φ$", "$h$ (m)", "$h$ (m)"}, both);
+  return table({"$φ$", "$h$($φ$) (m)", "$h$($φ$ + 180°) (m)"}, both);
 }
 
 }  // namespace
 
-PanelSheet lift_sheet(const Solution& s, Language) {
+PanelSheet lift_sheet(const Solution& s, Language language) {
   const Curves of(s);
+  const Words letters{
+      "$δ$: the pressure angle, of $AB$ with the guide. $φ_{r}$: the turn of the cam while it lifts.",
+      "$δ$: l'angolo di pressione, di $AB$ con la guida. $φ_{r}$: la rotazione di salita della camma."};
   return {.panels = panels(inversion(s), lift_chart(s, of), pressure_chart(s, of)),
           .results = {values({name("y_B_max"), name("y_B_min")}), values({name("lift"), name("rise_angle_deg")}),
                       values({name("angle_at_max_lift_deg"), name("angle_at_min_lift_deg")}),
-                      values({name("pressure_angle_max_deg"), name("pressure_angle_min_deg")}), lifts()},
+                      values({name("pressure_angle_max_deg"), name("pressure_angle_min_deg")}),
+                      remark(letters.in(language)), lifts()},
           .seen = {"The follower round the cam by inversion, its lift and its pressure angle over the turn",
                    "Il cedente attorno alla camma per inversione, la sua alzata e l'angolo di pressione nel giro"},
           .told = {name("lift"), name("y_B_max"), name("y_B_min"), name("pressure_angle_max_deg")},

@@ -36,8 +36,14 @@ Mechanism cam_figure(const Solution& s, const std::string& prefix, Shown shown) 
   return drawn;
 }
 
-std::shared_ptr<const Mechanism> whole(const Solution& s, const std::string& prefix) {
+std::shared_ptr<const Mechanism> whole(const Solution& s, const std::string& prefix, Dimensioned dimensioned) {
   Mechanism drawn = cam_figure(s, prefix);
+  if (dimensioned == Dimensioned::yes) {
+    const Place A0 = s.place(prefix + "A0"), level{A0.x, drawn.at("T").y};
+    drawn.axis(A0, level)
+        .offset("T", level, std::numbers::pi / 2, given(s, "r_r"), "$e$")
+        .angle_from_x("A0", "A", "$φ$");
+  }
   drawn.turning("A0", "A", sign_of(s.givens().angle(prefix.empty() ? "n" : "n_lift")), "$ω_{2}$");
   return std::make_shared<const Mechanism>(std::move(drawn));
 }

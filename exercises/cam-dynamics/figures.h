@@ -13,7 +13,10 @@ double given(const Solution& s, const std::string& symbol);
 // Disc, roller and follower of a case ("", "maximum_lift."). G3 and T are on the follower's rod.
 enum class Shown { all, cam, follower };
 Mechanism cam_figure(const Solution& s, const std::string& prefix, Shown shown = Shown::all);
-std::shared_ptr<const Mechanism> whole(const Solution& s, const std::string& prefix);
+// Dimensioned: the angle of the cam and how far the guide stands off.
+enum class Dimensioned { no, yes };
+std::shared_ptr<const Mechanism> whole(const Solution& s, const std::string& prefix,
+                                       Dimensioned dimensioned = Dimensioned::no);
 Place centre_of_follower(const Solution& s, const std::string& prefix);
 
 // A side of a case's polygon; what is not reported there is not measured.

@@ -15,8 +15,8 @@ const std::set<std::string> of_forces{"m_2", "m_3", "P", "g"};
 // The mechanism with the radius A0B, square to v_B2.
 class RadiusPanel : public MechanismPanel {
  public:
-  explicit RadiusPanel(const Solution& s)
-      : MechanismPanel(whole(s, "")), A0_(s.place("A0")), A_(s.place("A_at")), B_(s.place("B_at")) {}
+  RadiusPanel(const Solution& s, Dimensioned dimensioned)
+      : MechanismPanel(whole(s, "", dimensioned)), A0_(s.place("A0")), A_(s.place("A_at")), B_(s.place("B_at")) {}
 
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
     MechanismPanel::draw(plot, room, language);
@@ -31,7 +31,8 @@ class RadiusPanel : public MechanismPanel {
 // And with the relative pole of cam and follower.
 class RelativePolePanel : public RadiusPanel {
  public:
-  explicit RelativePolePanel(const Solution& s) : RadiusPanel(s), P23_(s.place("P23")) {}
+  explicit RelativePolePanel(const Solution& s)
+      : RadiusPanel(s, Dimensioned::yes), P23_(s.place("P23")), r_(given(s, "r")), r_r_(given(s, "r_r")) {}
 
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override {
     constexpr double letters = 7;  // mm
@@ -45,6 +46,9 @@ class RelativePolePanel : public RadiusPanel {
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
     constexpr double beyond = 4;  // mm
     RadiusPanel::draw(plot, room, language);
+    const Arrow2 aside{0.5 * std::sqrt(3), -0.5};
+    plot.mark(drawings::Dimension{plot.at(A_), plot.at(A_ + r_ * aside), 0, "$r$"});
+    if (r_r_ > 0) plot.mark(drawings::Dimension{plot.at(B_), plot.at(B_ + -r_r_ * aside), 0, "$r_{r}$"});
     plot.long_segment(B_, P23_, beyond, Meaning::construction);
     plot.long_segment(A0_, P23_, beyond, Meaning::construction);
     plot.cross(P23_);
@@ -64,6 +68,7 @@ class RelativePolePanel : public RadiusPanel {
 
  private:
   Place P23_;
+  double r_, r_r_;
 };
 
 // The sought vector is short beside the others: its own letters crowd with those of its ends.
@@ -106,7 +111,7 @@ PanelSheet acceleration_sheet(const Solution& s, Language language) {
   without.insert("n_lift");
   const Words coriolis{"$\\vec{a}_{c}$ is $\\vec{v}_{B32}$ turned by 90° in the sense of $ω_{2}$, times 2$ω_{2}$.",
                        "$\\vec{a}_{c}$ è $\\vec{v}_{B32}$ ruotata di 90° nel verso di $ω_{2}$, per 2$ω_{2}$."};
-  return {.panels = panels(RadiusPanel(s), AccelerationsPanel(s, language)),
+  return {.panels = panels(RadiusPanel(s, Dimensioned::no), AccelerationsPanel(s, language)),
           .results = {values({"v_B32", "a_B2"}), values({"a_B32_n", "a_coriolis"}), values({"a_B32_t", "a_B3"}),
                       values({"a_G2"}), remark(coriolis.in(language))},
           .seen = {"The polygon of the accelerations of B, with that of Coriolis",
@@ -264,9 +269,9 @@ PanelSheet maximum_lift_sheet(const Solution& s, Language language) {
   const Words inertia{"inertia of the follower", "inerzia del cedente"}, weight{"its weight", "il suo peso"};
   const Words in_line{
       "$A_{0}$, $A$ and $B$ are in line: $\\vec{v}_{B32}$ = −$\\vec{v}_{B2}$, the follower rests, and its "
-      "acceleration is $a_{B3}$ = $ω^{2}_{2}$·$A_{0}A$(1 + $A_{0}A$/$AB$)/cos $δ$.",
+      "acceleration is $a_{B3}$ = $ω^{2}_{2}$·$A_{0}A$(1 + $A_{0}A$/$AB$)/cos $δ$.",
       "$A_{0}$, $A$ e $B$ sono allineati: $\\vec{v}_{B32}$ = −$\\vec{v}_{B2}$, il cedente è fermo, e la sua "
-      "accelerazione è $a_{B3}$ = $ω^{2}_{2}$·$A_{0}A$(1 + $A_{0}A$/$AB$)/cos $δ$."};
+      "accelerazione è $a_{B3}$ = $ω^{2}_{2}$·$A_{0}A$(1 + $A_{0}A$/$AB$)/cos $δ$."};
   const Words least{
       "Contact is just kept where the cam no longer presses: $\\it{P}_{min}$ = $\\it{F}^{in}_{3}$ − $\\it{P}_{3}$.",
       "Il contatto è appena mantenuto dove la camma non preme più: $\\it{P}_{min}$ = $\\it{F}^{in}_{3}$ − "

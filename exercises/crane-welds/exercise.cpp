@@ -38,12 +38,12 @@ BeamPanel flange_along_beam(const Solution& s) {
   BeamPanel panel(3 * L, {beam, flange}, {.unit = "N", .longest = pull, .longest_on_paper = 60});
   panel.lines_at({0, L, 3 * L});
   panel.step(1, {L / 2, pull / 2},
-             {"The upper flange is pulled with $\\it{F}$ = |$\\it{M}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$, nought at $B$. "
+             {"The upper flange is pulled with $\\it{F}$ = |$\\it{M}$|$\\it{S}_{f1}$/$\\it{J}_{x1}$, nought at $B$. "
               "What it gains over a unit of length the weld hands on: the shear flow $q$ = $\\it{F}_{C}$/$\\it{L}$ = "
-              "|$\\it{T}_{1}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$.",
-              "La piattabanda superiore è tesa da $\\it{F}$ = |$\\it{M}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$, nulla in "
+              "|$\\it{T}_{1}$|$\\it{S}_{f1}$/$\\it{J}_{x1}$.",
+              "La piattabanda superiore è tesa da $\\it{F}$ = |$\\it{M}$|$\\it{S}_{f1}$/$\\it{J}_{x1}$, nulla in "
               "$B$. Ciò che guadagna per unità di lunghezza lo trasmette la saldatura: il flusso di taglio $q$ = "
-              "$\\it{F}_{C}$/$\\it{L}$ = |$\\it{T}_{1}$|$\\it{S}_{x1}$/$\\it{J}_{x1}$."});
+              "$\\it{F}_{C}$/$\\it{L}$ = |$\\it{T}_{1}$|$\\it{S}_{f1}$/$\\it{J}_{x1}$."});
   return panel;
 }
 
@@ -59,10 +59,13 @@ PanelSheet flow_sheet(const Solution& s, Language language) {
       .step(1, {tau, h},
             {"Jourawsky's shear of the web at the joint: $q$ over the thickness $s_{1}$.",
              "Il taglio di Jourawsky dell'anima al giunto: $q$ sullo spessore $s_{1}$."});
+  const Words means{
+      "$τ_{∥T}$ = $\\it{T}_{1}$/$\\it{A}_{v1}$: the mean over the web. $\\it{S}_{f1}$: of a flange.",
+      "$τ_{∥T}$ = $\\it{T}_{1}$/$\\it{A}_{v1}$: la media sull'anima. $\\it{S}_{f1}$: della piattabanda."};
   return {.panels = panels(flange_along_beam(s), section),
           .results = {values({"T_1", "M_C"}), workshop_values({"A_1", "A_v1"}), workshop_values({"J_x1", "S_x1"}),
                       values({"flange_pull", "q"}), workshop_values({"sigma_par_M", "tau_par_T"}),
-                      workshop_values({"tau_par_Jour"})},
+                      workshop_values({"tau_par_Jour"}), remark(means.in(language))},
           .seen = {"The force of the upper flange along the beam, whose rise is the shear flow, and section C with "
                    "bending stress and shear along its depth",
                    "La forza della piattabanda superiore lungo la trave, la cui crescita è il flusso di taglio, e la "
@@ -111,11 +114,14 @@ PanelSheet mohr_sheet(const Solution& s, Language language) {
                           .centre_name = "Mohr_centre",
                           .equivalent_name = "sigma_eq"});
   const Words check{
-      "Full penetration is checked by $σ_{eq}$ against $σ_{ammW}$ = $fσ_{amm}$; $u$ is what it uses of that.",
-      "La piena penetrazione si verifica con $σ_{eq}$ contro $σ_{ammW}$ = $fσ_{amm}$; $u$ è quanto ne usa."};
+      "Full penetration is checked by $σ_{eq}$ against $σ_{ammW}$ = $fσ_{amm}$; $u$ is what it uses of that. "
+      "$σ_{eq,J}$: the same with Jourawsky's shear $τ_{∥J}$ for the mean $τ_{∥T}$.",
+      "La piena penetrazione si verifica con $σ_{eq}$ contro $σ_{ammW}$ = $fσ_{amm}$; $u$ è quanto ne usa. "
+      "$σ_{eq,J}$: la stessa con il taglio di Jourawsky $τ_{∥J}$ invece della media $τ_{∥T}$."};
   return {.panels = panels(circle),
-          .results = {workshop_values({"Mohr_centre", "Mohr_radius"}), workshop_values({"sigma_I", "sigma_II"}),
-                      values({"principal_direction"}), workshop_values({"sigma_eq", "sigma_eq_Jour"}),
+          .results = {workshop_values({"sigma_par_M", "tau_par_T"}), workshop_values({"Mohr_centre", "Mohr_radius"}),
+                      workshop_values({"sigma_I", "sigma_II"}), values({"principal_direction"}),
+                      workshop_values({"sigma_eq", "sigma_eq_Jour"}),
                       workshop_values({"sigma_amm_W", "full_penetration_utilisation"}), remark(check.in(language)),
                       verdict(s, {"The check", "La verifica"}, "full_penetration_utilisation", language)},
           .seen = {"Mohr's circle of the web at the joint", "Il cerchio di Mohr dell'anima al giunto"},

@@ -12,7 +12,7 @@ const std::vector<Quantity> quantities{
      "$\\it{J}_{x1}$",
      "m^4",
      {"moment of inertia of the beam's section", "momento d'inerzia della sezione della trave"}},
-    {"S_x1", "$\\it{S}_{x1}$", "m^3", {"static moment of a flange", "momento statico della piattabanda"}},
+    {"S_x1", "$\\it{S}_{f1}$", "m^3", {"static moment of a flange", "momento statico della piattabanda"}},
     {"a", "$a$", "m", {"throat of the fillet", "sezione di gola del cordone"}},
     {"T_1", "$\\it{T}_{1}$", "N", {"shear just left of C", "taglio subito a sinistra di C"}},
     {"M_C", "$\\it{M}_{C}$", "N*m", {"bending moment at C", "momento flettente in C"}},

@@ -86,7 +86,13 @@ void SpherePanel::draw_detail(Plot& plot) const {
   if (times() > 1) {
     const double low = -radius_ - detail / plot.scale().mm_per_unit, up = tick / plot.scale().mm_per_unit;
     plot.segment({-radius_, low}, {radius_, low}, Meaning::axis);
-    plot.segment({0, low - up}, {0, low + up}, Meaning::link);
+    const double unit = std::pow(10.0, std::floor(std::log10(radius_ / times())));
+    for (const double value : {0.0, unit}) {
+      const double x = times() * value;
+      plot.segment({x, low - up}, {x, low + up}, Meaning::link);
+      plot.small_label(short_number(value, Language::english) + (value > 0 ? " MPa" : ""), {x, low - up},
+                       Place{x, low});
+    }
     plot.label("$τ_{∥}$, " + short_number(times(), Language::english) + " : 1", {radius_, low}, Place{0, low});
     for (const double side : {-1.0, 1.0})
       plot.segment({side * radius_ / times(), 0}, {side * radius_, low}, Meaning::construction);
@@ -101,7 +107,7 @@ std::vector<PanelStep> SpherePanel::steps(const Plot& plot, const drawings::Box&
         "√($σ^{2}_{⊥}$ + $τ^{2}_{⊥}$ + $τ^{2}_{∥}$) ≤ $f_{1}σ_{amm}$: una sfera, tagliata qui dal piano $τ_{⊥}$ = "
         "0."},
        Place{radius_, 0}},
-      {{"$τ_{⊥}$ + $σ_{⊥}$ ≤ $f_{2}σ_{amm}$ truncates it.", "$τ_{⊥}$ + $σ_{⊥}$ ≤ $f_{2}σ_{amm}$ la tronca."},
+      {{"|$τ_{⊥}$| + |$σ_{⊥}$| ≤ $f_{2}σ_{amm}$ truncates it.", "|$τ_{⊥}$| + |$σ_{⊥}$| ≤ $f_{2}σ_{amm}$ la tronca."},
        Place{x / 2, std::min(cut_, radius_)}},
       {{"The fillets' points: only $τ_{∥}$ acts, $σ_{⊥}$ = $τ_{⊥}$ = 0, so they lie on the axis.",
         "I punti dei cordoni: agisce solo $τ_{∥}$, $σ_{⊥}$ = $τ_{⊥}$ = 0, perciò stanno sull'asse."},

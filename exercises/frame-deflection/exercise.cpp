@@ -56,6 +56,9 @@ std::array<SpaceEnds, 3> in_space(const Solution& s) {
   return all;
 }
 
+// By its number, with its length.
+std::string named(int bar) { return std::to_string(bar) + " ($\\it{L}_{" + (bar == 2 ? "1" : "2") + "}$)"; }
+
 SpaceDiagramPanel bending_panel(const Solution& s) {
   const auto at = in_space(s);
   const std::array<Words, 3> told{
@@ -72,7 +75,7 @@ SpaceDiagramPanel bending_panel(const Solution& s) {
             "si riportano dalla parte delle fibre tese, i positivi sotto."}};
   std::vector<SpaceBar> bars;
   for (int i = 1; i <= 3; ++i)
-    bars.push_back({at[i - 1].from, at[i - 1].to, std::to_string(i),
+    bars.push_back({at[i - 1].from, at[i - 1].to, named(i),
                     ordinates(s, {bending(nodes[i - 1], i), bending("mid", i), bending(nodes[i], i)}), told[i - 1]});
   return {bars, {nodes.begin(), nodes.end()}, "$\\it{M}_{f}$", SpaceDiagramPanel::Positive::downwards};
 }
@@ -92,8 +95,7 @@ SpaceDiagramPanel torsion_panel(const Solution& s) {
       Words{"Bar 3 points at the load: no torque.", "L'asse della barra 3 passa per il carico: non c'è torsione."}};
   std::vector<SpaceBar> bars;
   for (int i = 1; i <= 3; ++i)
-    bars.push_back(
-        {at[i - 1].from, at[i - 1].to, std::to_string(i), ordinates(s, {torsion(i), torsion(i)}), told[i - 1]});
+    bars.push_back({at[i - 1].from, at[i - 1].to, named(i), ordinates(s, {torsion(i), torsion(i)}), told[i - 1]});
   return {bars, {nodes.begin(), nodes.end()}, "$\\it{M}_{t}$", SpaceDiagramPanel::Positive::upwards};
 }
 
@@ -146,11 +148,11 @@ StrungBeamsPanel strung_panel(const Solution& s, Language language) {
   }
   const Words areas{
       "The area of each $\\it{M}_{f}$ diagram over $\\it{EJ}$ is an elastic weight, in the line of the triangle's "
-      "centroid, a third of the bar from its greater side: $α_{1}$ = $\\it{P}\\it{L}_{2}^{2}$/2$\\it{EJ}_{x1}$ and "
+      "centroid, a third of the bar from its greater side: $α_{1}$ = $\\it{P}\\it{L}_{2}^{2}$/(2$\\it{EJ}_{x1}$) and "
       "so on.",
       "L'area di ogni diagramma $\\it{M}_{f}$ divisa per $\\it{EJ}$ è un peso elastico, sulla verticale del "
       "baricentro del triangolo, a un terzo della barra dal lato maggiore: $α_{1}$ = "
-      "$\\it{P}\\it{L}_{2}^{2}$/2$\\it{EJ}_{x1}$ e così via."};
+      "$\\it{P}\\it{L}_{2}^{2}$/(2$\\it{EJ}_{x1}$) e così via."};
   const Words pole{
       "The weights upright, positive upwards, and a pole $\\it{Q}$ at the distance $h$: 1 rad at the scale of the "
       "weights, times the scale of lengths over that of displacements. Ray 1 is level, ray 2 goes to the weight's "
@@ -255,13 +257,15 @@ PanelSheet shares_sheet(const Solution& s, Language language) {
              whole_of_source = unread(named({"in all", "in tutto"}, "delta_A_p"));
   const Words shares{
       "By virtual work $δ_{fi}$ = ∫$\\it{M}_{f}m_{f}$d$ξ$/$\\it{EJ}_{xi}$ and $δ_{ti}$ = "
-      "$\\it{M}_{ti}m_{ti}\\it{L}$/$\\it{GJ}_{i}$: $δ_{f1}$ = $δ_{f3}$ = $\\it{P}\\it{L}_{2}^{3}$/3$\\it{EJ}_{x1}$, "
+      "$\\it{M}_{ti}m_{ti}\\it{L}$/$\\it{GJ}_{i}$: $δ_{f1}$ = $δ_{f3}$ = "
+      "$\\it{P}\\it{L}_{2}^{3}$/(3$\\it{EJ}_{x1}$), "
       "$δ_{t1}$ = $\\it{P}\\it{L}_{1}^{2}\\it{L}_{2}$/$\\it{GJ}_{t1}$, $δ_{f2}$ = "
-      "$\\it{P}\\it{L}_{1}^{3}$/3$\\it{EJ}_{x2}$, $δ_{t2}$ = $\\it{P}\\it{L}_{2}^{2}\\it{L}_{1}$/$\\it{GJ}_{p2}$.",
+      "$\\it{P}\\it{L}_{1}^{3}$/(3$\\it{EJ}_{x2}$), $δ_{t2}$ = $\\it{P}\\it{L}_{2}^{2}\\it{L}_{1}$/$\\it{GJ}_{p2}$.",
       "Per i lavori virtuali $δ_{fi}$ = ∫$\\it{M}_{f}m_{f}$d$ξ$/$\\it{EJ}_{xi}$ e $δ_{ti}$ = "
-      "$\\it{M}_{ti}m_{ti}\\it{L}$/$\\it{GJ}_{i}$: $δ_{f1}$ = $δ_{f3}$ = $\\it{P}\\it{L}_{2}^{3}$/3$\\it{EJ}_{x1}$, "
+      "$\\it{M}_{ti}m_{ti}\\it{L}$/$\\it{GJ}_{i}$: $δ_{f1}$ = $δ_{f3}$ = "
+      "$\\it{P}\\it{L}_{2}^{3}$/(3$\\it{EJ}_{x1}$), "
       "$δ_{t1}$ = $\\it{P}\\it{L}_{1}^{2}\\it{L}_{2}$/$\\it{GJ}_{t1}$, $δ_{f2}$ = "
-      "$\\it{P}\\it{L}_{1}^{3}$/3$\\it{EJ}_{x2}$, $δ_{t2}$ = $\\it{P}\\it{L}_{2}^{2}\\it{L}_{1}$/$\\it{GJ}_{p2}$."};
+      "$\\it{P}\\it{L}_{1}^{3}$/(3$\\it{EJ}_{x2}$), $δ_{t2}$ = $\\it{P}\\it{L}_{2}^{2}\\it{L}_{1}$/$\\it{GJ}_{p2}$."};
   const Words mistake{
       "The source takes $\\it{J}_{p1}$ = $\\it{J}_{x1}$ + $\\it{J}_{y1}$ for $\\it{J}_{t1}$. But the sections of a "
       "rectangle warp: its torsion constant is less than the polar moment, and bar 1 twists as much more.",
@@ -269,10 +273,10 @@ PanelSheet shares_sheet(const Solution& s, Language language) {
       "rettangolo si ingobbano: la costante di torsione è minore del momento polare, e la barra 1 si torce "
       "altrettanto di più."};
   const Words series{
-      "De Saint-Venant: $\\it{J}_{t1}$ = $\\it{H}_{r}s_{r}^{3}$(⅓ − 64$s_{r}$/$π^{5}\\it{H}_{r}$·Σ "
-      "tanh($kπ\\it{H}_{r}$/2$s_{r}$)/$k^{5}$), $k$ = 1, 3, 5 …",
-      "De Saint-Venant: $\\it{J}_{t1}$ = $\\it{H}_{r}s_{r}^{3}$(⅓ − 64$s_{r}$/$π^{5}\\it{H}_{r}$·Σ "
-      "tanh($kπ\\it{H}_{r}$/2$s_{r}$)/$k^{5}$), $k$ = 1, 3, 5 …"};
+      "De Saint-Venant: $\\it{J}_{t1}$ = $\\it{H}_{r}s_{r}^{3}$(⅓ − (64$s_{r}$/($π^{5}\\it{H}_{r}$))·"
+      "Σ tanh($kπ\\it{H}_{r}$/(2$s_{r}$))/$k^{5}$), $k$ = 1, 3, 5 …",
+      "De Saint-Venant: $\\it{J}_{t1}$ = $\\it{H}_{r}s_{r}^{3}$(⅓ − (64$s_{r}$/($π^{5}\\it{H}_{r}$))·"
+      "Σ tanh($kπ\\it{H}_{r}$/(2$s_{r}$))/$k^{5}$), $k$ = 1, 3, 5 …"};
   return {.panels = panels(SumPanel(
               {{.name = {"Deflection of $A$, with $\\it{J}_{t1}$", "Abbassamento di $A$, con $\\it{J}_{t1}$"},
                 .parts = {f1, t1, f2, t2, f3},

@@ -10,21 +10,15 @@ namespace epure::friction_efficiency {
 PanelSheet double_slider(const Solution& s, Language language) {
   const Case of(s, "double_slider_pins", "double_slider"), ideal(s, "double_slider");
   const Place A = of.place("A"), B = of.place("B");
-  const Chain chain{"2",
-                    "4",
-                    force_between(3, 2),
-                    force_between(1, 2),
-                    force_between(1, 4),
-                    3,
-                    "⊥ $x$",
-                    "∥ $t$",
-                    turned_from("$x$", language),
-                    turned_from("⊥ $x$", language),
-                    "∥ $x$"};
+  // The line of the link's force, of the retrograde motion another.
+  const auto t = [](const std::string& suffix) { return "$t" + prime(suffix) + "$"; };
+  Chain chain{"2",    "4",     force_between(3, 2), force_between(1, 2),          force_between(1, 4),
+              3,      "⊥ $x$", "∥ " + t(direct),    turned_from("$x$", language), turned_from("⊥ $x$", language),
+              "∥ $x$"};
   PolygonSide R_32 = of.known(moving(chain.contact, direct), "", "");
   R_32.quantity.clear();
   const PolygonSide R_34 = reversed(R_32, 3, 4);
-  // The friction circle of a pin, with the line of the link's force.
+  // The friction circle of a pin, with the lines of the link's force.
   const auto detail = [&](const std::string& X, const PolygonSide& R) {
     const Place P = of.place(X), other = X == "A" ? B : A, T = of.place("on_" + X + direct);
     const Arrow2 along = (1 / distance(P, other)) * (other - P);
@@ -33,7 +27,12 @@ PanelSheet double_slider(const Solution& s, Language language) {
     pin.point(X, P, Joint::none, "$" + X + "$").axis(P + -reaches * along, P + reaches * along);
     FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(pin)));
     panel.at_most(5000).friction_circle(P, T, "$ρ$").force(R, T);
-    panel.line_to(T, T + -reaches / magnitude(R.v) * R.v, "$t$");
+    panel.line_to(T, T + -reaches / magnitude(R.v) * R.v, t(direct));
+    const Place other_T = of.place("on_" + X + retrograde);
+    const Arrow2 other_R = of.vector("R_32" + retrograde);
+    if (magnitude(other_R) == 0 || is_zero(s.givens().angle("phi"))) return panel;
+    panel.otherwise("", "", {}, {{other_T, other_R}});
+    panel.line_to(other_T, other_T + reaches / magnitude(other_R) * other_R, t(retrograde));
     return panel;
   };
   // On a slider the link's force meets the known one, or P, a little beside the pin: through there presses the guide.
@@ -54,6 +53,7 @@ PanelSheet double_slider(const Solution& s, Language language) {
   on_2.step(turned_against, A);
   // The angles at which the forces of the guides leave their normals.
   const auto with_guides = [&](const std::string& suffix) {
+    chain.along_contact = "∥ " + t(suffix);
     ChainedPolygonsPanel panel = polygons(of, chain, suffix);
     const Arrow2 R_12 = of.vector(chain.on_loaded.name + suffix), R_14 = of.vector(chain.on_driven.name + suffix),
                  b = -R_12;
@@ -65,9 +65,9 @@ PanelSheet double_slider(const Solution& s, Language language) {
   whole.to_scale().at_most(200).load(of.load("Q", "", ""), A).effort(of.known(P_of(direct), "", ""), B, Arrow::ends);
   FreeBodyPanel on_A = detail("A", R_32), on_B = detail("B", R_34);
   on_A.step({"The link's force runs along $t$, touching both friction circles, $ρ$ = $r$ sin $φ$, against the pins' "
-             "turning; sin $δ$ = 2$ρ$/$l$.",
+             "turning, in the retrograde motion along $t'$; sin $δ$ = 2$ρ$/$l$.",
              "La forza dell'asta corre lungo $t$, tangente ai due cerchi d'attrito, $ρ$ = $r$ sen $φ$, in modo da "
-             "ostacolare i perni; sen $δ$ = 2$ρ$/$l$."},
+             "ostacolare i perni, nel moto retrogrado lungo $t'$; sen $δ$ = 2$ρ$/$l$."},
             of.place("on_A" + direct));
   std::vector<Result> results = efficiencies(of, "P", language);
   // P and the efficiencies the table tells, beside those with ideal hinges.

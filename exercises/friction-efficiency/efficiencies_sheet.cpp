@@ -11,12 +11,11 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
   struct Plotted {
     std::string name;
     Words label;
-    std::optional<double> label_near = {};  // degrees, of a curve beside others all along
   };
   const std::vector<Plotted> all{{"wedge_collar", {"wedge", "cuneo"}},
                                  {"wedge_collar_two_point", {"two forces", "due forze"}},
                                  {"double_slider", {"double slider", "doppio pattino"}},
-                                 {"double_slider_pins", {"with pins", "con perni"}, 55},
+                                 {"double_slider_pins", {"with pins", "con perni"}},
                                  {"sliding_levers", {"levers", "leve"}},
                                  {"fairbairn", {"Fairbairn", "Fairbairn"}}};
   // Every limit stands on the charts.
@@ -63,21 +62,17 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
         const bool stands = std::any_of(drawn.markers.begin(), drawn.markers.end(), [&](const auto& marker) {
           return marker.at.x == *angle && marker.at.y == 0;
         });
-        if (!stands)
-          drawn.markers.push_back(
-              {.at = run.back(), .label = k == 0 ? "$φ_{D}$" : "$φ_{R}$", .shape = drawings::PointShape::diamond});
+        if (!stands) drawn.markers.push_back({.at = run.back(), .shape = drawings::PointShape::diamond});
       }
       if (const auto value = s.value(eta); value && *value > 0 && phi <= most) {
         read.push_back({{phi, *value}, {}, eta});
         drawn.markers.push_back({.at = read.back().at, .meaning = Meaning::force});
       }
       if (!run.empty())
-        drawn.curves.push_back({.name = "eta_" + each.name,
-                                .runs = {run},
-                                .meaning = Meaning::force,
-                                .label = each.label.in(language),
-                                .label_near_x = each.label_near});
+        drawn.curves.push_back(
+            {.name = "eta_" + each.name, .runs = {run}, .meaning = Meaning::force, .label = each.label.in(language)});
     }
+    drawn.legend = true;
     drawn.verticals = {{.at = phi, .label = "$φ$"}};
     return ChartPanel(drawn, read);
   };
@@ -89,14 +84,19 @@ PanelSheet over_friction_angle(const Solution& s, Language language) {
                      each.name + ".self_locking_friction_angle_deg", s.has(jamming) ? jamming : ""},
                     "–"});
   }
+  const Words variants{" Levers: with $\\it{Q}$ on lever 3; Fairbairn: with the longer lever.",
+                       " Leve: con $\\it{Q}$ sulla leva 3; Fairbairn: con la leva più lunga."};
   return {
       .panels = panels(chart(0), chart(1)),
-      .results = {table({"", "$η_{D}$", "$η_{R}$", "$φ_{R}$ (°)", "$φ_{D}$ (°)"}, rows),
-                  remark(Words{"$η_{R}$ = 0 at the friction angle $φ_{R}$, from which the mechanism is self-locking; "
-                               "$η_{D}$ = 0 at $φ_{D}$, where it jams and no force moves it.",
-                               "$η_{R}$ = 0 all'angolo d'attrito $φ_{R}$, dal quale il meccanismo è irreversibile; "
-                               "$η_{D}$ = 0 all'angolo $φ_{D}$, dove s'impunta e nessuna forza lo muove."}
-                             .in(language))},
+      .results =
+          {table({"", "$η_{D}$", "$η_{R}$", "$φ_{R}$ (°)", "$φ_{D}$ (°)"}, rows),
+           remark(
+               (Words{"$η_{R}$ = 0 (rhombs) at the friction angle $φ_{R}$, from which the mechanism is self-locking; "
+                      "$η_{D}$ = 0 at $φ_{D}$, where it jams and no force moves it.",
+                      "$η_{R}$ = 0 (rombi) all'angolo d'attrito $φ_{R}$, dal quale il meccanismo è irreversibile; "
+                      "$η_{D}$ = 0 all'angolo $φ_{D}$, dove s'impunta e nessuna forza lo muove."} +
+                variants)
+                   .in(language))},
       .seen = {"The efficiencies of the direct and of the retrograde motion over the friction angle",
                "I rendimenti del moto diretto e del retrogrado in funzione dell'angolo d'attrito"},
       .told = {"wedge_collar.eta_direct", "wedge_collar.eta_retrograde"},

@@ -91,6 +91,7 @@ void write_case(Ledger<T>& ledger, const Problem& problem, const Fairbairn& of, 
   ledger.draws_point("D", [&] { return at().D; });
   draw_vector(ledger, "v_56", [&] { return sliding_of(of, at()).v_56; });
   draw_vector(ledger, "v_43", [&] { return sliding_of(of, at()).v_43; });
+  draw_vector(ledger, "v_61", [&] { return sliding_of(of, at()).v_61; });
   write_motions<T>(ledger, names_of_M(), all, {T(1), T(0)},
                    {force_between(5, 6), force_between(1, 6), force_between(1, 4), force_between(3, 4)},
                    at_dead_centre(of, phi));

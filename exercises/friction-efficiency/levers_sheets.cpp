@@ -67,6 +67,8 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
     FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
     const std::string k = std::to_string(lever);
     panel.to_scale();
+    at.directed(panel, is_loaded ? "Q" : "P");
+    if (is_loaded) at.directed(panel, "n");
     if (is_loaded)
       panel.load(of.load("Q", "", ""), at.attacked(lever));
     else
@@ -97,6 +99,9 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
     second.step(through_C + met(at.driven) + ".", *H_of_driven);
   std::vector<Result> results = efficiencies(of, "P", language);
   results.push_back(of.results({"contact_force_angle_direct_deg", "contact_force_angle_retrograde_deg"}));
+  results.push_back(
+      remark(Words{"$ν_{D}$, $ν_{R}$: directions of ", "$ν_{D}$, $ν_{R}$: direzioni della "}.in(language) +
+             on.contact.label + Words{" in the two motions.", " nei due moti."}.in(language)));
   results.push_back(of.results({"self_locking_friction_angle_deg"}));
   if (of.s.value(of.name("self_locking_friction_angle_deg"))) results.push_back(remark(locks_from.in(language)));
   Panels all = panels(first, second);
@@ -114,15 +119,15 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
   };
   add_motion(direct, on, shared_j, shared_i);
   add_motion(retrograde, back, other_j, other_i);
-  return {.panels = std::move(all),
-          .results = results,
-          .seen = {"The two levers cut free with the friction cone of their contact, and the polygons of "
-                   "the direct and of "
-                   "the retrograde motion",
-                   "Le due leve isolate con il cono d'attrito del contatto, e i poligoni del moto "
-                   "diretto e del retrogrado"},
-          .told = of.names({"P_direct", "P_retrograde", "eta_direct", "eta_retrograde"}),
-          .without_part = of.without({"r_2", "r_3"}, {"phi"})};
+  return {
+      .panels = std::move(all),
+      .results = results,
+      .seen = {"The two levers, each cut free with the friction cone of their contact, and the polygons of the "
+               "direct and of the retrograde motion",
+               "Le due leve, ciascuna isolata con il cono d'attrito del contatto, e i poligoni del moto diretto e "
+               "del retrogrado"},
+      .told = of.names({"P_direct", "P_retrograde", "eta_direct", "eta_retrograde"}),
+      .without_part = of.without({"r_2", "r_3"}, {"phi"})};
 }
 
 }  // namespace epure::friction_efficiency

@@ -59,9 +59,9 @@ std::vector<SheetMaker> sheets() {
        [](const Solution& s, Language language) { return fairbairn(s, "fairbairn_short_lever", language); }},
       {{"efficiencies",
         {"Efficiency and friction angle", "Rendimento e angolo d'attrito"},
-        {"All pairs of the wedge and its collar rub. Find how the efficiencies depend on the friction angle, and at "
+        {"All pairs of the mechanisms rub. Find how the efficiencies depend on the friction angle, and at "
          "which one self-locking and jamming begin.",
-         "In tutte le coppie del cuneo e del collare c'è attrito. Trovare come i rendimenti dipendono dall'angolo "
+         "In tutte le coppie dei meccanismi c'è attrito. Trovare come i rendimenti dipendono dall'angolo "
          "d'attrito, e a quale iniziano l'arresto spontaneo e l'impuntamento."}},
        over_friction_angle}};
 }

@@ -24,7 +24,7 @@ FreeBodyPanel wedge_cut_free(const Case& of, const WedgeFigure& at) {
   const Place H{R_32.v.y == 0 ? 0 : at.line_of_P * R_32.v.x / R_32.v.y, at.line_of_P};
   const Place foot{H.x + (at.floor - H.y) * R_12.v.x / R_12.v.y, at.floor};
   panel.to_scale().at_most(200).effort(of.known(P_of(direct), "", ""), {at.back, at.line_of_P}, Arrow::ends);
-  press(panel, of, R_32, {0, 0}, std::numbers::pi / 2 - of.radians("theta"), -of.vector("v_32"), "23");
+  press(panel, of, R_32, {0, 0}, std::numbers::pi / 2 - of.radians("theta"), -of.vector("v_32"), "23", "$r_{2}$");
   press(panel, of, R_12, foot, -std::numbers::pi / 2, of.vector("v_21"), "21");
   panel.meeting("", "$H_{2}$", H);
   return panel;
@@ -55,20 +55,20 @@ PanelSheet wedge(const Solution& s, Language language) {
   FreeBodyPanel on_rod(std::make_shared<const Mechanism>(std::move(rod)));
   const PolygonSide Q = of.load("Q", "", ""), R_23 = of.known(moving(chain.contact, direct), "", "");
   on_rod.to_scale().at_most(200).load(Q, {0, at.top}, Arrow::ends);
-  press(on_rod, of, R_23, {0, 0}, normal, of.vector("v_32"), "32");
+  press(on_rod, of, R_23, {0, 0}, normal, of.vector("v_32"), "32", "$r_{2}$");
   press(on_rod, of, of.known(moving(chain.on_loaded, direct), "", ""), {0, 0}, 0, of.vector("v_31"), "31");
   on_rod.step(turned_against, {0, 0});
   std::vector<Result> results = efficiencies(of, "P", language);
   results.push_back(of.results({"self_locking_friction_angle_deg", "jamming_friction_angle_deg"}));
   if (of.s.value(of.name("jamming_friction_angle_deg"))) results.push_back(remark(locks_from_and_jams.in(language)));
-  return {
-      .panels = panels(on_rod, wedge_cut_free(of, at), polygons(of, chain, direct), polygons(of, chain, retrograde)),
-      .results = results,
-      .seen = {"Wedge and rod cut free with their friction cones, and the polygons of the direct and of the "
-               "retrograde motion",
-               "Cuneo e asta isolati con i coni d'attrito, e i poligoni del moto diretto e del retrogrado"},
-      .told = of.names({"P_i", "P_direct", "P_retrograde", "eta_direct", "eta_retrograde"}),
-      .without_part = of.without({}, {"phi"})};
+  return {.panels = panels(whole(at, of, of.known(P_of(direct), "", ""), 200, Dimensioned::yes), on_rod,
+                           wedge_cut_free(of, at), polygons(of, chain, direct), polygons(of, chain, retrograde)),
+          .results = results,
+          .seen = {"Wedge and rod cut free with their friction cones, and the polygons of the direct and of the "
+                   "retrograde motion",
+                   "Cuneo e asta isolati con i coni d'attrito, e i poligoni del moto diretto e del retrogrado"},
+          .told = of.names({"P_i", "P_direct", "P_retrograde", "eta_direct", "eta_retrograde"}),
+          .without_part = of.without({}, {"phi"})};
 }
 
 PanelSheet two_forces(const Solution& s, Language language) {
@@ -154,9 +154,9 @@ PanelSheet two_forces(const Solution& s, Language language) {
                      false);
   if (K)
     on_rod.step({"The collar's forces meet in $K$, $\\vec{\\it{Q}}$ and $\\vec{\\it{R}}_{23}$ in $O$: the collar's "
-                 "two together run along $OK$, Culmann's line.",
+                 "two together run along $OK$, Culmann's line, at $κ$ from $x$.",
                  "Le forze del collare si incontrano in $K$, $\\vec{\\it{Q}}$ e $\\vec{\\it{R}}_{23}$ in $O$: le due "
-                 "del collare insieme corrono lungo $OK$, la retta di Culmann."},
+                 "del collare insieme corrono lungo $OK$, la retta di Culmann, a $κ$ da $x$."},
                 {0, 0});
   all.insert(all.begin(), std::make_unique<FreeBodyPanel>(wedge_cut_free(of, at)));
   all.insert(all.begin(), std::make_unique<FreeBodyPanel>(std::move(on_rod)));

@@ -117,7 +117,13 @@ PanelSheet virtual_work(const LeverFigure& at) {
         "B"}});
   const PolygonSide Q = of.load("Q", "", ""), driving = of.known(P(), "", "");
   const std::string i = std::to_string(at.driven), j = std::to_string(at.loaded);
-  FreeBodyPanel arms(std::make_shared<const Mechanism>(at.whole()));
+  Mechanism levers = at.whole();
+  constexpr double clear = 0.015;  // m
+  const double aside = of.radians("nu") - std::numbers::pi / 2;
+  levers.point("A", at.A, Joint::none, "$A$").point("B", at.B, Joint::none, "$B$");
+  levers.offset("A", at.C, aside, clear, "$r_{2}$").offset("B", at.C, aside, clear, "$r_{3}$");
+  FreeBodyPanel arms(std::make_shared<const Mechanism>(std::move(levers)));
+  at.directed(arms, "n");
   arms.load(Q, at.attacked(at.loaded)).effort(driving, at.attacked(at.driven));
   arms.arm(at.hinge(at.loaded), at.attacked(at.loaded), Q.v, "$b_{Q}$", of.name("arm_Q"))
       .arm(at.hinge(at.driven), at.attacked(at.driven), at.p, "$b_{P}$", "");

@@ -69,7 +69,8 @@ PanelSheet one_force(const Solution& s, Language) {
   VectorPolygon of_wedge = force_polygon("2", {on.R_12}, {on.R_32, on.P});
   of_wedge.origin = "$b$";
   polygons.then(of_wedge, on.Q.v + on.R_23.v);
-  return {.panels = panels(whole(at, of, 200, Dimensioned::yes), rod, wedge_cut_free(at, on), polygons),
+  return {.panels = panels(whole(at, of, of.known(P(), "", ""), 200, Dimensioned::yes), rod, wedge_cut_free(at, on),
+                           polygons),
           .results = {of.results({"P", "R_12"}), of.results({"R_13", "R_23"})},
           .seen = {"The wedge and the rod in its collar, both cut free, and the triangles of their forces",
                    "Il cuneo e l'asta nel collare, entrambi isolati, e i triangoli delle loro forze"},
@@ -83,7 +84,7 @@ PanelSheet virtual_work_of_wedge(const Solution& s, Language language) {
   const VectorPolygon displacements = velocity_polygon(
       {of.moves("3", "∥ $r_{1}$", "?")},
       {of.moves("2", "∥ $x$", "1 m/s", "$2$"), of.moves("32", Words{"∥ face", "∥ faccia"}.in(language), "?", "$3$")});
-  FreeBodyPanel mechanism = whole(WedgeFigure(of), of, 500, Dimensioned::no);
+  FreeBodyPanel mechanism = whole(WedgeFigure(of), of, of.known(P(), "", ""), 500, Dimensioned::no);
   mechanism.step({"The wedge moves along $x$, the rod along $r_{1}$, and on each other they slide along the face: "
                   "$v_{Q}$ : $v_{P}$ = tan $θ$. $\\it{P}$·$v_{P}$ − $\\it{Q}$·$v_{Q}$ = 0, with $v_{P}$ = $v_{2}$ "
                   "and $v_{Q}$ = $v_{3}$.",
@@ -141,7 +142,7 @@ PanelSheet two_forces(const Solution& s, Language) {
   of_wedge.origin = "$b$";
   polygons.then(of_wedge, on.Q.v + on.R_23.v);
   rod.larger().at_most(500);
-  return {.panels = panels(whole(at, of, 200, Dimensioned::yes), rod, polygons, shared),
+  return {.panels = panels(whole(at, of, of.known(P(), "", ""), 200, Dimensioned::yes), rod, polygons, shared),
           .results = {of.results({"P", "R_12"}), of.results({"R_13_upper", "R_13_lower"}),
                       of.results({"R_13_resultant_x"})},
           .seen = {"The wedge and the rod in its collar, which answers with two forces, the rod cut free, and the "

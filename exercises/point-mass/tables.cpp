@@ -19,6 +19,7 @@ constexpr ChartSize one_of_two_in_a_column{110, 74};
 struct Errors {
   std::string name, label;
   Meaning meaning;
+  drawings::LineType line;  // in all charts the same
   std::vector<std::vector<Datum>> runs;
   std::vector<Words> of_runs;  // which rows
 };
@@ -29,10 +30,14 @@ constexpr std::size_t most_points = 400;
 // |numerical - exact|/|exact|, where there is such a thing that is not zero.
 Errors errors(const std::string& kind, const std::string& method, const std::vector<Rational>& numerical,
               const std::vector<Rational>& exact, const Rational& dt) {
+  using drawings::LineType;
   const std::string initial = method == "bezout" ? "B" : "S";
+  const LineType line = method == "bezout" ? (kind == "v" ? LineType::continuous : LineType::dashed)
+                                           : (kind == "v" ? LineType::dotted : LineType::dash_dotted);
   Errors of{kind + "_" + method,
             "$" + kind + "_{" + initial + "}$",
             kind == "v" ? Meaning::velocity : Meaning::locus,
+            line,
             {},
             {}};
   const std::size_t sums = method == "bezout" ? 1 : 2, step = sums * (numerical.size() / most_points + 1);
@@ -76,6 +81,7 @@ SizedChart chart(const std::vector<Errors>& all, const std::string& letters, dou
       chart.curves.push_back({.name = each.name,
                               .runs = {each.runs[i]},
                               .meaning = each.meaning,
+                              .line = each.line,
                               .label = each.label + each.of_runs[i].in(language)});
   chart.letters_left = 15;
   return SizedChart(std::move(chart), {}, one_of_two_in_a_column);
@@ -129,7 +135,7 @@ Words of_the_formulas(const Problem& of) {
     return {
         "Bezout's $v_{B}$ is off by Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). Cavalieri-Simpson's formula is exact for "
         "the cubic $a$: $v_{S}$ has an error in the odd rows alone, which begin with a parabola through three "
-        "points. Odd and even rows have each their own curve of $s_{S}$, and where both are wrong of $v_{S}$.",
+        "points. Odd and even rows each have a curve of $s_{S}$, and one of $v_{S}$ where that is wrong in both.",
         "La $v_{B}$ di Bezout è errata di Δ$t^{2}$/12·($a'$($t$) − $a'$(0)). La formula di Cavalieri-Simpson è "
         "esatta per la cubica $a$: $v_{S}$ ha errore nelle sole righe dispari, che cominciano con una parabola per "
         "tre punti. Righe dispari e pari hanno ognuna la sua curva di $s_{S}$, e dove entrambe sono errate di "
@@ -166,7 +172,7 @@ PanelSheet errors_sheet(const Solution& s, Language language) {
   }
   Panels all;
   all.push_back(std::make_unique<SizedChart>(
-      chart(right, Words{"|$ε$|, right tables", "|$ε$|, tabelle giuste"}.in(language), end, language)));
+      chart(right, Words{"|$ε$|, correct tables", "|$ε$|, tabelle giuste"}.in(language), end, language)));
   std::vector<Section> theory{{{"The formulas", "Le formule"}, {remark(of_the_formulas(of).in(language))}}};
   if (s.givens().as_stated()) {
     for (const PrintedAgainstExact& column : printed_columns())

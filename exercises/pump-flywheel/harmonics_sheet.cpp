@@ -62,10 +62,17 @@ PanelSheet harmonics_sheet(const Solution& s, Language language) {
                   "Con il volano $n'_{t}$ è sotto la fondamentale $n_{1}$: la rigidezza è trascurabile."}
           : Words{"With the flywheel $n'_{t}$ is not below the fundamental $n_{1}$: the stiffness counts.",
                   "Con il volano $n'_{t}$ non è sotto la fondamentale $n_{1}$: la rigidezza conta."};
+  const Words formulas{
+      "$\\it{M}_{k}$: the amplitudes of the Fourier series of $\\it{M}_{r}$, of which the odd ones beyond the first "
+      "are "
+      "nought. $k_{m}$ = $\\it{M}_{t}$/($ω_{0}$ − $ω_{m}$), $n_{t}$ = $k_{m}$/($\\it{J}_{m}ω_{m}$).",
+      "$\\it{M}_{k}$: le ampiezze della serie di Fourier di $\\it{M}_{r}$, di cui le dispari oltre la prima sono "
+      "nulle. "
+      "$k_{m}$ = $\\it{M}_{t}$/($ω_{0}$ − $ω_{m}$), $n_{t}$ = $k_{m}$/($\\it{J}_{m}ω_{m}$)."};
   return {.panels = panels(ChartPanel(chart)),
-          .results = {values({"M_r_harmonic_1", "M_r_harmonic_2"}), values({"M_r_harmonic_30"}),
-                      values({"omega_m", "omega_sync"}), values({"M_t", "k_m"}), values({"n_1", "n_30"}),
-                      values({"n_t"}), remark(first.in(language)),
+          .results = {remark(formulas.in(language)), values({"M_r_harmonic_1", "M_r_harmonic_2"}),
+                      values({"M_r_harmonic_30"}), values({"omega_m", "omega_sync"}), values({"M_t", "k_m"}),
+                      values({"n_1", "n_30"}), values({"n_t"}), remark(first.in(language)),
                       values(has_flywheel ? std::vector<std::string>{"n_t_flywheel"} : std::vector<std::string>{}),
                       remark(then.in(language))},
           .seen = {"Harmonics of the torque over cycles per turn of the motor, with the cut-off before and after the "

@@ -36,7 +36,7 @@ Mechanism spool_of(const Solution& s, const std::string& letters_of_C = "$C$") {
 }
 
 // With rope, pulley and counterweight.
-std::shared_ptr<const Mechanism> whole(const Solution& s, const std::string& letters_of_C) {
+Mechanism whole(const Solution& s, const std::string& letters_of_C) {
   const double R = given(s, "R"), h = s.place("A").y, pulley = R / 4, far = 1.7 * R, side = 0.2 * R;
   const Place centre{far, h - pulley}, hook{far + pulley, centre.y - 0.6 * R};
   Mechanism drawn = spool_of(s, letters_of_C);
@@ -53,15 +53,19 @@ std::shared_ptr<const Mechanism> whole(const Solution& s, const std::string& let
       .body({"A", "top"})
       .body({"right", "hook"})
       .body({"b1", "b2", "b3", "b4"});
-  return std::make_shared<const Mechanism>(std::move(drawn));
+  return drawn;
 }
 
 PanelSheet velocity_sheet(const Solution& s, Language language) {
   using Where = PolesStep::Where;
   PolesPanel::Kind about = PolesPanel::of_velocity("C");
   about.letters = "$C$";
+  Mechanism spool = whole(s, "");
+  const double R = given(s, "R");
+  const Place G = s.place("G");
+  spool.offset("A", G, std::numbers::pi, R, "$r$").offset("C", G, std::numbers::pi, 1.3 * R, "$\\it{R}$");
   PolesPanel poles(
-      s, whole(s, ""), about, {"G", "A"},  // C is the pole's
+      s, std::make_shared<const Mechanism>(std::move(spool)), about, {"G", "A"},  // C is the pole's
       {{{"It rolls: $C$ rests, and is the instantaneous centre. $\\vec{v}_{G}$ is laid off for $ω$ = 1 rad/s.",
          "Rotola: $C$ è fermo, ed è il centro d'istantanea rotazione. Si riporta $\\vec{v}_{G}$ per $ω$ = 1 rad/s."},
         Where::tip,
@@ -266,13 +270,14 @@ PanelSheet forces_sheet(const Solution& s, Language language) {
 
 // The polygon of one counterweight, with the cone of friction about the vertical where the reaction starts.
 ChainedPolygonsPanel with_cone(const Solution& s, const std::string& prefix, const std::string& letter,
-                               const Words& told, bool is_first, Language language) {
+                               const Words& caption, const Words& told, bool is_first, Language language) {
   const Forces on = forces(s, prefix, language);
   const Arrow2 apex = on.W.v + on.T.v + on.inertia.v;
   const double N = s["N"], wide = std::min(s["F_max"], 0.7 * N);
   ChainedPolygonsPanel panel(force_polygon(letter, {on.S}, {on.W, on.T, on.inertia}));
   panel.over({apex + Arrow2{-wide, wide == 0 ? N : wide * N / s["F_max"]}, apex,
               apex + Arrow2{wide, wide == 0 ? N : wide * N / s["F_max"]}});
+  panel.captioned(caption);
   panel.angle(apex, std::numbers::pi / 2, std::numbers::pi / 2 + s["friction_cone_half_angle"], "$φ_{a}$");
   if (is_first)
     panel.step(told, apex);
@@ -283,7 +288,13 @@ ChainedPolygonsPanel with_cone(const Solution& s, const std::string& prefix, con
 
 PanelSheet cones_sheet(const Solution& s, Language language) {
   const Spool of = spool(s.givens());
-  const auto so = [&](const std::string& symbol) { return name_of(of.regime(s.givens()[symbol])) + Words{".", "."}; };
+  // "$m_{b,l}$: it stays at rest"
+  const auto so = [&](const std::string& symbol, const std::string& letters) {
+    return Words{letters, letters} + Words{": ", ": "} + name_of(of.regime(s.givens()[symbol]));
+  };
+  const Words light = so("m_b_light", "$m_{b,l}$"), middle = so("m_b", "$m_{b}$"),
+              heavy = so("m_b_heavy", "$m_{b,h}$"),
+              if_rolling{"$m_{b,h}$, as if it rolled", "$m_{b,h}$, come se rotolasse"}, stop{".", "."};
   const Words cone{
       "Dashed, the cone of friction about the vertical, with the half angle $φ_{a}$ = arctan $f_{a}$. ",
       "Tratteggiato, il cono d'attrito attorno alla verticale, di semiapertura $φ_{a}$ = arctan $f_{a}$. "};
@@ -292,31 +303,28 @@ PanelSheet cones_sheet(const Solution& s, Language language) {
       "cone.",
       "$m_{b}$: striscia con $\\it{F}$ = $f_{r}\\it{N}$; per non strisciare occorrerebbe $\\it{F}^{*}$, fuori dal "
       "cono."};
-  const Words light = Words{"$m_{b,l}$: ", "$m_{b,l}$: "} + so("m_b_light"),
-              main = cone + (of.regime(s.givens()["m_b"]) == Regime::slipping
-                                 ? main_slips
-                                 : Words{"$m_{b}$: ", "$m_{b}$: "} + so("m_b"));
+  const Words main = cone + (of.regime(s.givens()["m_b"]) == Regime::slipping ? main_slips : middle + stop);
   const bool slips = of.regime(s.givens()["m_b_heavy"]) == Regime::slipping;
   const Words tried =
-      slips ? Words{"$m_{b,h}$, as if it rolled: the reaction leaves the cone, and this polygon cannot be.",
-                    "$m_{b,h}$, come se rotolasse: la reazione esce dal cono, e questo poligono non può essere."}
-            : Words{"$m_{b,h}$, as if it rolled: the reaction stays in the cone.",
-                    "$m_{b,h}$, come se rotolasse: la reazione resta nel cono."};
+      if_rolling + (slips ? Words{": the reaction leaves the cone, and this polygon cannot be.",
+                                  ": la reazione esce dal cono, e questo poligono non può essere."}
+                          : Words{": the reaction stays in the cone.", ": la reazione resta nel cono."});
   const Words instead =
       slips ? Words{"It slips: $\\it{F}$ = $f_{r}\\it{N}$, and another pull and inertia close the polygon.",
                     "Striscia: $\\it{F}$ = $f_{r}\\it{N}$, e altro tiro e altra inerzia chiudono il poligono."}
-            : Words{"$m_{b,h}$: ", "$m_{b,h}$: "} + so("m_b_heavy");
+            : heavy + stop;
   const std::string tried_head = Words{"$m_{b,h}$, rolling", "$m_{b,h}$, se rotola"}.in(language);
   const Words margin{
       "$\\it{F}^{*}$ is the friction that must hold if it is not to slip; $Δ\\it{F}$ = $\\it{F}_{max}$ − "
       "$\\it{F}^{*}$ "
-      "is negative where it slips.",
+      "is negative where it slips. $a'$, $α$ and $a_{C}$ are those of $m_{b,h}$, $u'$ is that of $m_{b,l}$.",
       "$\\it{F}^{*}$ è l'attrito che occorre perché non strisci; $Δ\\it{F}$ = $\\it{F}_{max}$ − $\\it{F}^{*}$ è "
-      "negativo dove striscia."};
-  return {.panels = panels(MechanismPanel(whole(s, "$C$")), with_cone(s, "", "m", main, true, language),
-                           with_cone(s, "light.", "l", light, false, language),
-                           with_cone(s, "heavy_if_rolling.", "t", tried, false, language),
-                           with_cone(s, "heavy.", "h", instead, false, language)),
+      "negativo dove striscia. $a'$, $α$ e $a_{C}$ sono di $m_{b,h}$, $u'$ di $m_{b,l}$."};
+  return {.panels = panels(MechanismPanel(std::make_shared<const Mechanism>(whole(s, "$C$"))),
+                           with_cone(s, "", "m", middle, main, true, language),
+                           with_cone(s, "light.", "l", light, light + stop, false, language),
+                           with_cone(s, "heavy_if_rolling.", "t", if_rolling, tried, false, language),
+                           with_cone(s, "heavy.", "h", heavy, instead, false, language)),
           .results = {values({"F_max", "friction_cone_half_angle"}),
                       table({"", "$\\it{T}$ (N)", "$\\it{F}$ (N)"},
                             {{"$m_{b,l}$", {"light.T", "light.F"}},
@@ -455,7 +463,7 @@ PanelSheet limits_sheet(const Solution& s, Language language) {
                                 : of.always_rolls()  ? never.in(language)
                                                      : "";
   return {.panels = charts(s, read, language),
-          .theory = {{{"What must hold", "Che cosa deve trattenere"},
+          .theory = {{{"What must hold", "Condizione di aderenza"},
                       {remark(rest.in(language)), remark(rolls.in(language)), remark(exception),
                        remark(end_of_detail(s, end_of_chart(s)) ? below.in(language) : "")}}},
           .results = {values({"mass_ratio_start", "m_b_start"}), values({"mass_ratio_slip", "m_b_slip"}),
@@ -463,7 +471,7 @@ PanelSheet limits_sheet(const Solution& s, Language language) {
                       table({"", "$\\it{F}^{*}$/$\\it{N}$"},
                             {{"$m_{b}$", {"F_over_N"}}, {"$m_{b,h}$", {"heavy_if_rolling.F_over_N"}}})},
           .seen = {"The friction that must hold over the normal reaction, against the ratio of the masses",
-                   "L'attrito che deve trattenere sulla reazione normale, in funzione del rapporto delle masse"},
+                   "L'attrito che occorre, diviso per la reazione normale, in funzione del rapporto delle masse"},
           .told = {"mass_ratio_start", "mass_ratio_slip", "F_over_N", "heavy_if_rolling.F_over_N"}};
 }
 

@@ -330,7 +330,7 @@ TEST_CASE("A sheet of forces to be solved shows the load, and of the effort the 
                                                                    {"ideal-statics", "two-forces", 2, 1},
                                                                    {"ideal-statics", "double-slider", 2, 2},
                                                                    {"ideal-statics", "levers", 2, 2},
-                                                                   {"friction-efficiency", "wedge", 1, 1},
+                                                                   {"friction-efficiency", "wedge", 2, 2},
                                                                    {"friction-efficiency", "two-forces", 1, 1},
                                                                    {"friction-efficiency", "double-slider", 2, 2},
                                                                    {"friction-efficiency", "levers", 1, 1}}) {

@@ -34,6 +34,7 @@ SectionPanel section_with_stresses(const Solution& s, double outer, double shear
   constexpr double mega = 1e6;
   const double H = half_depth(s);
   SectionPanel section(2 * H, metres(s, "b_1"), metres(s, "s_1"), "MPa", mega, language);
+  section.dimensioned("$\\it{H}_{1}$", "$b_{1}$", "$s_{1}$");
   section.diagram(
       {.name = "$σ_{z}$", .border = {{0, H}, {outer, H}, {-outer, -H}, {0, -H}}, .reads = std::move(bending)});
   section.diagram({.name = "$τ$", .border = jourawsky_along_depth(s, shear_over_J), .reads = std::move(shear)});

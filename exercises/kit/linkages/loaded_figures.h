@@ -75,7 +75,8 @@ inline void dimension_wedge(Mechanism& drawn, const WedgeFigure& at) {
 
 // With load and effort, by their directions.
 enum class Dimensioned { no, yes };
-inline FreeBodyPanel whole(const WedgeFigure& at, const Case& of, double at_most, Dimensioned dimensioned) {
+inline FreeBodyPanel whole(const WedgeFigure& at, const Case& of, const PolygonSide& effort, double at_most,
+                           Dimensioned dimensioned) {
   Mechanism drawn;
   drawn.point("O", {0, 0}, Mechanism::Joint::none, "$O$");
   add_wedge(drawn, at);
@@ -89,7 +90,7 @@ inline FreeBodyPanel whole(const WedgeFigure& at, const Case& of, double at_most
   if (dimensioned == Dimensioned::yes) dimension_wedge(drawn, at);
   FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
   panel.at_most(at_most).load(of.load("Q", "", ""), {0, at.top}, FreeBodyPanel::Arrow::ends);
-  panel.effort(of.known(applied_force("P", {}), "", ""), {at.back, at.line_of_P}, FreeBodyPanel::Arrow::ends);
+  panel.effort(effort, {at.back, at.line_of_P}, FreeBodyPanel::Arrow::ends);
   return panel;
 }
 
@@ -153,9 +154,19 @@ struct LeverFigure {
   std::string letters(int lever) const { return lever == 2 ? "$A_{0}$" : "$B_{0}$"; }
   // The direction of load or effort, given as its angle.
   static std::string along(const std::string& force, Language language) {
-    return Words{"at ", "sotto "}.in(language) + "$δ_{" + force + "}$";
+    return Words{"at ", "a "}.in(language) + "$δ_{" + force + "}$";
   }
   Place attacked(int lever) const { return lever == loaded ? on_Q : foot; }
+  // The angle from x of load, effort or normal, where there is one.
+  void directed(FreeBodyPanel& panel, const std::string& of_what) const {
+    const bool is_normal = of_what == "n";
+    const double angle = of.radians(is_normal ? "nu" : "direction_" + of_what);
+    if (angle == 0) return;
+    panel.turned(is_normal        ? C
+                 : of_what == "Q" ? on_Q
+                                  : foot,
+                 0, angle, is_normal ? "$ν$" : "$δ_{" + of_what + "}$", "$x$", false);
+  }
 
   // The lever's plate between its hinge, the contact and where its force acts; the profile's arc about C.
   void add(Mechanism& drawn, int lever, Mechanism::Joint joint) const {
@@ -194,11 +205,13 @@ struct LeverFigure {
   }
 };
 
-// The levers with the lines of load and effort, of which the arm is given.
+// The levers with the lines of load and effort, of which direction and arm are given, and the direction of the
+// normal.
 inline FreeBodyPanel levers_with_givens(const LeverFigure& at, const PolygonSide& load, const PolygonSide& effort) {
   FreeBodyPanel panel(std::make_shared<const Mechanism>(at.dimensioned()));
   panel.load(load, at.on_Q).effort(effort, at.foot);
   panel.arm(at.hinge(at.driven), at.foot, at.p, "$b_{P}$", "");
+  for (const char* const of : {"Q", "P", "n"}) at.directed(panel, of);
   return panel;
 }
 
@@ -210,6 +223,10 @@ inline Place end_of_lever(const Case& of) {
 
 // The ram reaches from D so far.
 inline Place end_of_ram(const Case& of) { return of.place("D") + of.given("AB") * Arrow2{1, 0}; }
+
+// Of the forces on the lever but its hinge's.
+inline const Words meet_in_H{" The two meet in $H$; $\\vec{\\it{R}}_{14}$ runs through $C$ and $H$.",
+                             " Le due si incontrano in $H$; la $\\vec{\\it{R}}_{14}$ passa per $C$ e $H$."};
 
 inline FreeBodyPanel lever_cut_free(const Case& of) {
   Mechanism drawn;
@@ -251,7 +268,8 @@ inline std::shared_ptr<const MechanismFigure> with_ram(Mechanism drawn, const Ca
   drawn.point("D", D, Mechanism::Joint::corner, "")
       .point("ram", end_of_ram(of), Mechanism::Joint::corner, "")
       .body({"D", "ram"}, 6);
-  drawn.surface(D + AB * Arrow2{0.5, -0.06}, D + AB * Arrow2{0.9, -0.06});
+  // Above, where with friction it presses; below there is room for the load.
+  drawn.surface(D + AB * Arrow2{0.9, 0.06}, D + AB * Arrow2{0.5, 0.06});
   const double theta = of.radians("theta"), beside = 0.3 * AB;
   drawn.point("block 3", B + beside * Arrow2{std::cos(theta), -std::sin(theta)}, Mechanism::Joint::corner, "3")
       .point("block 5", D + -beside * Arrow2{1, 0}, Mechanism::Joint::corner, "5");

@@ -225,6 +225,16 @@ double FreeBodyPanel::radius_of(const Couple& couple) const {
   return radius;
 }
 
+double FreeBodyPanel::radius_of(const Turned& turned) {
+  constexpr double largest = 24, arc = 16;  // mm
+  return std::min(largest, arc / std::abs(turned.force - turned.normal));
+}
+// Of a cone as of all others; of an angle alone as far as its arc.
+double FreeBodyPanel::leg_of(const Turned& turned) {
+  constexpr double beyond = 5;  // mm
+  return turned.is_cone ? leg : std::min(leg, radius_of(turned) + beyond);
+}
+
 Panel::Vectors FreeBodyPanel::vectors() const {
   if (unit_.empty() || forces_.empty()) return {};
   double longest = 0;
@@ -250,8 +260,8 @@ drawings::Box FreeBodyPanel::extent_of_near(const Scale& scale, const Scale& vec
   for (const String& each : strings_)
     for (const Place& P : {each.from, each.to}) extent.include(scale, P, letters);
   for (const Turned& each : turned_)
-    for (const double side : {each.force, 2 * each.normal - each.force})
-      extent.include(scale, on_line(each.X, direction_of(side), leg + letters, scale.mm_per_unit), 0);
+    for (const double side : {each.force, each.is_cone ? 2 * each.normal - each.force : each.normal})
+      extent.include(scale, on_line(each.X, direction_of(side), leg_of(each) + letters, scale.mm_per_unit), 0);
   for (const Sliding& each : sliding_) {
     constexpr double reached = 14;  // mm of the arrow along the surface
     extent.include(scale, on_line(each.X, each.along, reached, scale.mm_per_unit), letters);
@@ -327,8 +337,8 @@ bool FreeBodyPanel::is_line_otherwise(const Place& X, double direction) const {
 
 // The arc so far out that it can be seen.
 void FreeBodyPanel::draw_turned(Plot& plot, const Turned& turned) const {
-  constexpr double widest = 24, clear = 2;  // mm
-  const double mm = plot.scale().mm_per_unit;
+  constexpr double clear = 2;  // mm
+  const double mm = plot.scale().mm_per_unit, radius = radius_of(turned), leg = leg_of(turned);
   const auto at = [&](double direction, double along) {
     return on_line(turned.X, direction_of(direction), along, mm);
   };
@@ -338,8 +348,8 @@ void FreeBodyPanel::draw_turned(Plot& plot, const Turned& turned) const {
   if (turned.is_cone && !is_line_otherwise(turned.X, other_edge))
     plot.segment(turned.X, at(other_edge, leg), Meaning::construction);
   const auto [from, to] = std::minmax(turned.force, turned.normal);
-  plot.mark(drawings::AngleMark{plot.at(turned.X), widest, from, to, Meaning::dimension});
-  plot.small_label(turned.angle, at((from + to) / 2, widest + clear), turned.X);
+  plot.mark(drawings::AngleMark{plot.at(turned.X), radius, from, to, Meaning::dimension});
+  plot.small_label(turned.angle, at((from + to) / 2, radius + clear), turned.X);
   if (!turned.letters.empty()) plot.small_label(turned.letters, at(turned.normal, leg), turned.X);
 }
 

@@ -147,7 +147,9 @@ class FreeBodyPanel : public Panel {
   FreeBodyPanel& add(const PolygonSide& side, const Place& at, Arrow there, Given given);
   bool is_line_otherwise(const Place& X, double direction) const;
   double middle_of(const Couple& couple) const;
-  double radius_of(const Couple& couple) const;  // mm
+  double radius_of(const Couple& couple) const;   // mm
+  static double radius_of(const Turned& turned);  // mm
+  static double leg_of(const Turned& turned);     // mm
   std::string letters_of(const Force& force, const Scale& vectors, Language language) const;
   double length_of(const Force& force, const Scale& vectors) const;
   OnPaper on_paper(const Force& force, const Scale& vectors) const;

@@ -6,6 +6,7 @@ namespace epure {
 namespace {
 
 constexpr double diagram_longest = 34, diagram_gap = 12, section_letters = 8;  // mm
+constexpr double depth_aside = 9, width_below = 5;                             // mm, of the dimension lines
 
 }  // namespace
 
@@ -40,7 +41,7 @@ double SectionPanel::axis(std::size_t diagram, const Scale& lengths) const {
 drawings::Box SectionPanel::extent(const Scale& lengths, const Scale&) const {
   const double half = lengths.mm_per_unit * depth_ / 2;
   return {
-      {-lengths.mm_per_unit * width_ / 2 - section_letters, -half - section_letters},
+      {-lengths.mm_per_unit * width_ / 2 - depth_aside - section_letters, -half - section_letters},
       {axis(diagrams_.size() - 1, lengths) + diagrams_.back().right + 2 * section_letters, half + section_letters}};
 }
 
@@ -58,6 +59,10 @@ void SectionPanel::draw_section(Plot& plot) const {
   // Past the section only: within thin walls an axis would cover them.
   const double beyond = 4 / plot.scale().mm_per_unit;
   for (const double side : {-1.0, 1.0}) plot.segment({0, side * H}, {0, side * (H + beyond)}, Meaning::axis);
+  const drawings::Point corner = plot.at({-b, -H});
+  plot.mark(drawings::Dimension{corner, plot.at({-b, H}), depth_aside, dimensions_[0]});
+  plot.mark(drawings::Dimension{corner, plot.at({b, -H}), -width_below, dimensions_[1]});
+  plot.small_label(dimensions_[2], {s, -h / 2}, Place{0, -h / 2});
 }
 
 void SectionPanel::draw_diagram(Plot& plot, std::size_t i) const {

@@ -1,6 +1,7 @@
 // A double T with diagrams of stress along its depth beside it, each at a scale of its own.
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,11 @@ class SectionPanel : public Panel {
   SectionPanel& diagram(StressDiagram added);
   SectionPanel& step(std::size_t diagram, const Place& at, const Words& text) {
     steps_.push_back({diagram, at, text});
+    return *this;
+  }
+  // Letters of depth, width and wall.
+  SectionPanel& dimensioned(std::string depth, std::string width, std::string wall) {
+    dimensions_ = {std::move(depth), std::move(width), std::move(wall)};
     return *this;
   }
   // Letters at a height of the section: "$\\it{G}$".
@@ -63,6 +69,7 @@ class SectionPanel : public Panel {
   void draw_diagram(Plot& plot, std::size_t i) const;
 
   double depth_, width_, wall_;
+  std::array<std::string, 3> dimensions_ = {};
   std::string unit_;
   double si_;
   Language language_;

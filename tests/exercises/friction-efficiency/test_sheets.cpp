@@ -17,6 +17,11 @@ bool has_label(const DrawnSheet& drawn, const std::string& text) {
   return std::any_of(drawn.sheet.figure.labels.begin(), drawn.sheet.figure.labels.end(),
                      [&](const drawings::Label& label) { return label.text.find(text) != std::string::npos; });
 }
+// These alone, not within others.
+bool has_letters(const DrawnSheet& drawn, const std::string& text) {
+  return std::any_of(drawn.sheet.figure.labels.begin(), drawn.sheet.figure.labels.end(),
+                     [&](const drawings::Label& label) { return label.text == text; });
+}
 
 }  // namespace
 
@@ -63,7 +68,30 @@ TEST_CASE("friction: the sense of sliding stands at every contact, and the force
   shows("double-slider", 2);
   shows("levers", 2);
   shows("levers-Q-on-2", 2);
-  shows("fairbairn", 2);
+  shows("fairbairn", 4);  // where block 5 slides in the ram, on both bodies
+}
+
+// In the direct motion the ram is driven against F, which points to the right.
+TEST_CASE("friction: Fairbairn's ram is cut free with its guide's force", "[friction-efficiency][sheets]") {
+  for (const char* sheet : {"fairbairn", "fairbairn-short-lever"}) {
+    CAPTURE(sheet);
+    const DrawnSheet drawn = friction().draw(sheet, {});
+    CHECK(has_label(drawn, "$\\vec{v}_{61}$"));
+    int leftwards = 0;
+    for (const auto& v : arrows_of(drawn, drawings::Meaning::velocity)) leftwards += v.to.x - v.from.x < -8 ? 1 : 0;
+    CHECK(leftwards == 1);
+  }
+}
+
+TEST_CASE("friction: the lines of load, effort and normal stand at their angles", "[friction-efficiency][sheets]") {
+  const DrawnSheet drawn = friction().draw("levers", {});
+  for (const char* angle : {"$δ_{Q}$", "$δ_{P}$", "$ν$"}) CHECK(has_letters(drawn, angle));
+  CHECK(!has_letters(friction().draw("levers", {"sliding_levers.direction_P=0"}), "$δ_{P}$"));
+}
+
+TEST_CASE("friction: the retrograde motion has a line of the link of its own", "[friction-efficiency][sheets]") {
+  CHECK(has_letters(friction().draw("double-slider", {}), "$t'$"));
+  CHECK(!has_letters(friction().draw("double-slider", {"phi=0"}), "$t'$"));
 }
 
 // In the direct motion P pushes slider 4 to the right, and slider 2 lifts the load.
