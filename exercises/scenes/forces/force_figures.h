@@ -118,9 +118,13 @@ class ForceFigures {
     return format_words("the point that {} is given through", "il punto per cui {} è data", line(about.line));
   }
 
-  // What presses on a body with this middle ends there.
+  // What presses on a body with this middle ends there; a load that passes by that, as one that hangs beside it,
+  // starts.
   FreeBodyPanel::Arrow there(const ActingForce& force, const Place& middle) const {
-    return dot(vector(force), middle - place(force)) > 0 ? FreeBodyPanel::Arrow::ends : FreeBodyPanel::Arrow::starts;
+    const double passes_by = force.kind == ActingForce::Kind::load ? 0.25 : 0;  // cosine
+    const Arrow2 v = vector(force), inwards = middle - place(force);
+    return dot(v, inwards) > passes_by * magnitude(v) * magnitude(inwards) ? FreeBodyPanel::Arrow::ends
+                                                                           : FreeBodyPanel::Arrow::starts;
   }
 
   // As a known one, whatever it is.

@@ -142,6 +142,19 @@ TEST_CASE("which way forces and couples are positive is told", "[scenes]") {
   CHECK(tells(shipped("cutting-stroke", "forces-5"), "Positive: $\\it{N}_{C}$ upwards."));
 }
 
+TEST_CASE("a load that hangs beside a wheel's middle hangs from where it acts", "[scenes]") {
+  const DrawnSheet sheet = shipped("winch", "forces");
+  const auto arrows = all_of<drawings::Arrow>(sheet);
+  const auto force = std::find_if(arrows.begin(), arrows.end(), [](const drawings::Arrow& arrow) {
+    return arrow.meaning == drawings::Meaning::force;
+  });
+  REQUIRE(force != arrows.end());
+  const auto& labels = sheet.sheet.figure.labels;
+  const auto T = std::find_if(labels.begin(), labels.end(), [](const auto& label) { return label.text == "$T$"; });
+  REQUIRE(T != labels.end());
+  CHECK(drawings::distance(force->from, T->at) < 1);
+}
+
 TEST_CASE("what runs off a chart, and what shrinks to a point, is said", "[scenes]") {
   const DrawnSheet chart = shipped("quick-return", "chart-v_C_x", {"O2A=290mm", "h=690mm", "theta=89deg"});
   CHECK(tells(chart, "Off the chart: $v_{Cx,max}$."));
