@@ -45,6 +45,27 @@ Words endless_in_words(const Built& built, std::size_t drive, double farthest) {
           "il meccanismo si chiude, più lontano di quanto arriverebbero tutti i suoi membri su una retta"};
 }
 
+// How far apart that sets the pins of two rods in one line: "A B0 = A B + B0 B".
+Words distance_in_words(const Built& there, const Step& step, const LinkagePosition<Bounded>& at) {
+  const auto* rods = std::get_if<TwoRods>(&step);
+  if (!rods) return {};
+  const int P = rods->first.pin, Q = rods->second.pin, X = rods->joint;
+  const auto squared = [&](int from, int to) {
+    return midpoint(length_squared(at.points[index(to)] - at.points[index(from)])).inf();
+  };
+  const auto letters = [&](int from, int to) {
+    return "$" + point_letters(there.letters.points[index(from)]) + point_letters(there.letters.points[index(to)]) +
+           "$";
+  };
+  const double first = squared(P, X), second = squared(Q, X), apart = squared(P, Q);
+  const bool is_stretched = apart > std::max(first, second), first_is_longer = first > second;
+  if (is_stretched)
+    return format_words(": {} = {} + {}", ": {} = {} + {}", letters(P, Q), letters(P, X), letters(Q, X));
+  return format_words(": {} = {} − {}", ": {} = {} − {}", letters(P, Q),
+                      first_is_longer ? letters(P, X) : letters(Q, X),
+                      first_is_longer ? letters(Q, X) : letters(P, X));
+}
+
 class RangeOfDrive {
  public:
   RangeOfDrive(const Built& built, std::size_t drive)
@@ -226,7 +247,9 @@ AtEnd at_end(const Built& built, std::size_t drive, bool is_greatest) {
       return {{},
               Words{"No end: ", "Nessun estremo: "} + endless_in_words(built, drive, range.farthest(is_greatest))};
     const Built there = with_drive_at(built, drive, midpoint(end->at).inf());
-    return {range.position_at(*end), special_in_words(end->step, there, LettersAs::rich_text)};
+    const auto at = range.position_at(*end);
+    return {at, special_in_words(end->step, there, LettersAs::rich_text) +
+                    distance_in_words(there, there.steps[end->step], at)};
   } catch (const Undecided& open) {
     return {{}, Words{"Not decided: ", "Non deciso: "} + open.words()};
   } catch (const Impossible& none) {

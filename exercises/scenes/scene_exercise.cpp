@@ -112,7 +112,7 @@ std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& sce
   for (SheetMaker& sheet : polygon_sheets(scene, numbers)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : acceleration_pole_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : centres_sheets(scene, numbers)) sheets.push_back(std::move(sheet));
-  for (SheetMaker& sheet : force_sheets(scene)) sheets.push_back(std::move(sheet));
+  for (SheetMaker& sheet : force_sheets(scene, numbers)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : path_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : polode_sheets(scene)) sheets.push_back(std::move(sheet));
   for (SheetMaker& sheet : range_sheets(scene)) sheets.push_back(std::move(sheet));

@@ -314,8 +314,23 @@ void tell_once(const drawings::Box& room, const DrawnSoFar& before, DrawnSheet& 
   take_away(onto.measurements, smaller);
 }
 
+// Then it is the same picture of a mechanism again, and the whole beside it an empty frame. (Polygons of a sheet
+// share a scale, at which one of them may be small as a whole.)
+bool shows_all(const PlacedPanel& close_up, const PlacedPanel& whole, const SheetRequest& request) {
+  if (whole.panel->is_of_vectors()) return false;
+  const DrawnJoints drawn = joints_drawn(whole, request);
+  std::vector<Place> points = drawn.joints;
+  for (const auto& [P, Q] : drawn.links) points.insert(points.end(), {P, Q});
+  const drawings::Box seen = seen_in(close_up, whole);
+  const double mm = whole.plane().mm_per_unit;
+  return !points.empty() && std::all_of(points.begin(), points.end(), [&](const Place& P) {
+    return drawings::contains(seen, drawings::Point{whole.origin.x + mm * P.x, whole.origin.y + mm * P.y});
+  });
+}
+
 // Nothing else has become so much smaller that what the close-up gains is lost there.
-bool is_better(const std::vector<PlacedPanel>& before, const std::vector<PlacedPanel>& after) {
+bool is_better(const std::vector<PlacedPanel>& before, const std::vector<PlacedPanel>& after,
+               const SheetRequest& request) {
   constexpr double at_most_smaller = 2.6;  // times: a standard scale
   constexpr double told_apart = 2.5;       // mm: a vector that is shorter is a dot in the close-up too
   constexpr std::size_t fewest_apart = 3;
@@ -324,7 +339,8 @@ bool is_better(const std::vector<PlacedPanel>& before, const std::vector<PlacedP
     if (const auto* close_up = dynamic_cast<const CloseUp*>(now.panel)) {
       const auto whole = std::find_if(after.begin(), after.end(),
                                       [&](const PlacedPanel& each) { return each.panel == &close_up->whole(); });
-      if (now.plane().mm_per_unit < worth_drawing * whole->plane().mm_per_unit) return false;
+      if (now.plane().mm_per_unit < worth_drawing * whole->plane().mm_per_unit || shows_all(now, *whole, request))
+        return false;
       if (now.panel->is_of_vectors() &&
           count_apart(close_up->parted(), told_apart / now.plane().mm_per_unit) < fewest_apart)
         return false;
@@ -355,7 +371,7 @@ std::optional<LaidOut> with_close_ups(const LaidOut& plain, const std::vector<st
   } catch (const DoesNotFit&) {
     return {};
   }
-  return is_better(plain.panels, larger.panels) ? std::optional(std::move(larger)) : std::nullopt;
+  return is_better(plain.panels, larger.panels, request) ? std::optional(std::move(larger)) : std::nullopt;
 }
 
 }  // namespace

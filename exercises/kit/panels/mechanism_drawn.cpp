@@ -62,7 +62,10 @@ void Mechanism::draw_guide(Plot& plot, const Guide& guide) const {
   plot.mark(drawings::Guide{on_it(-guide_behind), on_it(guide.axis.empty() ? guide_ahead : guide_ahead_of_axis)});
   plot.mark(drawings::Slider{p, guide.direction, has_open_blocks_});
   if (!guide.axis.empty()) plot.label(guide.axis, plot.from_paper(on_it(axis_ahead)), at(guide.block));
-  if (!guide.letter.empty()) plot.small_label(guide.letter, plot.from_paper(on_it(guide_ahead)), at(guide.block));
+  // At the end of its wall: vectors along it start in its middle line.
+  if (!guide.letter.empty())
+    plot.small_label(guide.letter, plot.from_paper(beside(p, guide.direction, guide_ahead, -block_top)),
+                     plot.from_paper(beside(p, guide.direction, 0, -block_top)));
 }
 
 // Too short a distance has no room for its letter; nor has one beyond the border of a close-up.

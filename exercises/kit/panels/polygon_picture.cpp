@@ -248,10 +248,26 @@ Place clear_of_sides(const Drawing& on, const PlacedSide& s, const PlacedSide* n
   return on.middle;
 }
 
-// A vector that is zero ends at the origin.
-bool is_at_origin(const Drawing& on, const PlacedSide& s) {
+bool are_one(const Drawing& on, const Place& P, const Place& Q) {
   constexpr double one_point = 0.05;  // mm
-  return on.whole && distance(s.corner(), {0, 0}) * on.plot.scale().mm_per_unit < one_point;
+  return on.whole && distance(P, Q) * on.plot.scale().mm_per_unit < one_point;
+}
+// A vector that is zero ends at the origin.
+bool is_at_origin(const Drawing& on, const PlacedSide& s) { return are_one(on, s.corner(), {0, 0}); }
+
+// Corners and images that lie in one place are named together, by the first of them; the others have no letters.
+std::string letters_in_one_place(const Drawing& on, const std::string& tip, const Place& P) {
+  std::vector<std::string> there;
+  const auto look_at = [&](const std::string& letters, const Place& at) {
+    if (!letters.empty() && are_one(on, at, P)) there.push_back(letters);
+  };
+  for (const PlacedSide& s : in_order(on.polygon)) look_at(s.side->tip, s.corner());
+  for (const PolygonImage& image : on.polygon.images) look_at(image.absolute.tip, after({0, 0}, image.absolute.v));
+  if (there.empty()) return tip;
+  if (there.front() != tip) return {};
+  std::string all = tip;
+  for (std::size_t i = 1; i < there.size(); ++i) all += " ≡ " + there[i];
+  return all;
 }
 
 // Corners that lie there are named together with it.
@@ -267,8 +283,9 @@ void draw_vector(const Drawing& on, const PlacedSide& s, const Track& track, con
                  bool of_left_side) {
   draw_on_track(on, track, {s.from, s.to}, on.whole ? s.side->quantity : "", letters_of(on, *s.side),
                 away_from(on, s, of_left_side));
-  if (!s.side->tip.empty() && !is_at_origin(on, s))
-    on.plot.label(s.side->tip, s.corner(), clear_of_sides(on, s, next), on.polygon.meaning);
+  if (s.side->tip.empty() || is_at_origin(on, s)) return;
+  if (const std::string letters = letters_in_one_place(on, s.side->tip, s.corner()); !letters.empty())
+    on.plot.label(letters, s.corner(), clear_of_sides(on, s, next), on.polygon.meaning);
 }
 
 // On the other side of the line where an image is so near that its vector, which comes between the two, ends in the
@@ -323,7 +340,9 @@ void draw_image(const Drawing& on, const PolygonImage& image, const Track& relat
     draw_on_track(on, absolute, {O, c}, image.absolute.quantity, image.absolute.label, on.middle);
   if (image.absolute.tip.empty()) return;
   on.plot.dot(c, on.polygon.meaning);
-  on.plot.label(image.absolute.tip, c, O, on.polygon.meaning);
+  const std::string letters =
+      are_one(on, O, c) ? image.absolute.tip : letters_in_one_place(on, image.absolute.tip, c);
+  if (!letters.empty()) on.plot.label(letters, c, O, on.polygon.meaning);
 }
 
 // `from`: the letter of the corner; empty: the end of the vector before.

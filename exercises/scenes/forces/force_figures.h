@@ -41,7 +41,6 @@ class ForceFigures {
     const std::string name = name_of_force(built_, force);
     const auto k = index(force.which);
     const auto& of = built_.linkage;
-    const auto along = [&](int l) { return s_.vector("along_" + built_.letters.lines[index(l)]); };
     Arrow2 v{0, 0};
     switch (force.kind) {
       case Kind::load:
@@ -55,13 +54,13 @@ class ForceFigures {
         v = s_.vector(name);
         break;
       case Kind::pin:
-        v = of_line(force, pin_force(built_, k).name, along(of.pins[k].line));
+        v = of_line(force, pin_force(built_, k).name, along(force));
         break;
       case Kind::guide:
-        v = of_line(force, guide_forces(built_, k).force.name, along(of.blocks[k].guide));
+        v = of_line(force, guide_forces(built_, k).force.name, along(force));
         break;
       case Kind::slid:
-        v = s_[name] * along(std::get<geometry::SlidPoint>(of.drives[k]).guide);
+        v = s_[name] * along(force);
         break;
       case Kind::cylinder: {
         const auto& cylinder = std::get<geometry::Stretched>(of.drives[k]);
@@ -71,6 +70,15 @@ class ForceFigures {
       }
     }
     return is_reversed(built_, force) ? -v : v;
+  }
+  // The line that guides what the force acts on, as it is directed: of pins, guides and drives that slide a point.
+  Arrow2 along(const ActingForce& force) const {
+    const auto& of = built_.linkage;
+    const auto k = index(force.which);
+    const int line = force.kind == ActingForce::Kind::pin     ? of.pins[k].line
+                     : force.kind == ActingForce::Kind::guide ? of.blocks[k].guide
+                                                              : std::get<geometry::SlidPoint>(of.drives[k]).guide;
+    return s_.vector("along_" + built_.letters.lines[index(line)]);
   }
   // By how much friction turns the force of a line from its normal, counter-clockwise positive: radians.
   double turned_by_friction(const ActingForce& force, const geometry::LineFriction& friction) const {
@@ -110,9 +118,13 @@ class ForceFigures {
     return format_words("the point that {} is given through", "il punto per cui {} è data", line(about.line));
   }
 
-  // What presses on a body with this middle ends there.
+  // What presses on a body with this middle ends there; a load that passes by that, as one that hangs beside it,
+  // starts.
   FreeBodyPanel::Arrow there(const ActingForce& force, const Place& middle) const {
-    return dot(vector(force), middle - place(force)) > 0 ? FreeBodyPanel::Arrow::ends : FreeBodyPanel::Arrow::starts;
+    const double passes_by = force.kind == ActingForce::Kind::load ? 0.25 : 0;  // cosine
+    const Arrow2 v = vector(force), inwards = middle - place(force);
+    return dot(v, inwards) > passes_by * magnitude(v) * magnitude(inwards) ? FreeBodyPanel::Arrow::ends
+                                                                           : FreeBodyPanel::Arrow::starts;
   }
 
   // As a known one, whatever it is.

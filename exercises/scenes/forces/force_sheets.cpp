@@ -6,6 +6,7 @@
 #include "exercises/kit/panels/free_body_panel.h"
 #include "exercises/scenes/forces/force_figures.h"
 #include "exercises/scenes/forces/group_sheet.h"
+#include "exercises/scenes/forces/signs_in_words.h"
 #include "exercises/scenes/sheets/in_lines.h"
 
 namespace epure::scenes {
@@ -45,16 +46,47 @@ Words links_or_pin(const Built& built, const GroupForces& group) {
   return numbers.size() == 1 ? format_words("link {}", "il membro {}", numbers[0])
                              : format_words("links {}", "i membri {}", enumerated_links(numbers));
 }
-// When a group is cut free, and why then.
-Words turn_of(const Built& built, const std::vector<GroupForces>& groups, std::size_t i) {
+// "forces-5-6".
+std::string name_of_sheet(const Built& built, const GroupForces& group) {
+  std::string name = "forces";
+  const std::vector<std::string> numbers = numbers_of(built, group);
+  if (numbers.empty()) name += "-" + pin_of(built, group);
+  for (const std::string& number : numbers) name += "-" + number;
+  return name;
+}
+std::string name_of_polygon(const std::string& sheet) { return sheet + "-polygon"; }
+
+// What is found of a group: "R_45, N_C".
+std::string found_of(const Built& built, const ForceFigures& of, const GroupForces& group) {
+  std::vector<std::string> symbols;
+  const auto add = [&](const std::string& symbol) {
+    if (std::find(symbols.begin(), symbols.end(), symbol) == symbols.end()) symbols.push_back(symbol);
+  };
+  for (const LinkForces& body : group.bodies)
+    for (const ActingForce& force : body.sought)
+      add(is_of_links(force) ? force_of_two(built, force).length().symbol : letters_of_force(built, force));
+  for (const Moments& each : group.moments)
+    if (const auto* couple = std::get_if<ActingCouple>(&each.sought)) add(of.quantity(*couple).symbol);
+  std::string all;
+  for (const std::string& symbol : symbols) all += (all.empty() ? "" : ", ") + symbol;
+  return all;
+}
+// When a group is cut free, why then, what that gives, and on which sheets.
+Words turn_of(const Built& built, const ForceFigures& of, const std::vector<GroupForces>& groups, std::size_t i,
+              const SheetNumbers& numbers) {
   const Words group = links_or_pin(built, groups[i]);
-  if (groups.size() == 1)
-    return format_words("Cut free {}: only loads act there.", "Si isola {}: vi agiscono solo carichi.", group);
-  if (i == 0)
-    return format_words("First {}: only loads act there.", "Per prima cosa {}: lì agiscono solo carichi.", group);
-  const Words then = i + 1 == groups.size() ? Words{"At last ", "Infine "} : Words{"Then ", "Poi "};
-  return then + group +
-         Words{": now the forces from the others are known.", ": ciò che gli altri vi esercitano ora è noto."};
+  const std::string sheet = name_of_sheet(built, groups[i]);
+  const Words first = numbers.of(sheet), second = numbers.of(name_of_polygon(sheet)),
+              sheets = first + (first.empty() || second.empty() ? Words{} : Words{" and ", " e "}) + second;
+  const Words turn =
+      groups.size() == 1
+          ? format_words("Cut free {}, where only loads act", "Si isola {}, dove agiscono solo carichi", group)
+      : i == 0
+          ? format_words("First {}, where only loads act", "Per prima cosa {}, dove agiscono solo carichi", group)
+          : format_words("{} {}, with what the others exert on it", "{} {}, con ciò che gli altri vi esercitano",
+                         i + 1 == groups.size() ? Words{"At last", "Infine"} : Words{"Then", "Poi"}, group);
+  return turn + ": " + found_of(built, of, groups[i]) +
+         (sheets.empty() ? Words{} : format_words(" ({})", " ({})", sheets)) + ".";
 }
 // Clear of the link, and of what turns it.
 void add_couple(FreeBodyPanel& whole, const Built& built, const ForceFigures& of, int link,
@@ -78,7 +110,7 @@ bool acts_in_a_centre(const Built& built, std::size_t load) {
 }
 
 // The whole mechanism with its loads and what drives it, and in which order its links are cut free.
-PanelSheet overview(const Built& built, const Solution& s, Language language) {
+PanelSheet overview(const Built& built, const Solution& s, const SheetNumbers& numbers, Language language) {
   const std::vector<GroupForces> groups = force_groups(built);
   const ForceFigures of(built, s);
   const auto figure = std::make_shared<const Mechanism>(figure_of(built, s));
@@ -99,6 +131,7 @@ PanelSheet overview(const Built& built, const Solution& s, Language language) {
     }
   PanelSheet sheet;
   std::vector<std::string> efforts, reactions;
+  SignsInWords signs(of, built);
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const GroupForces& group = groups[i];
     for (const LinkForces& body : group.bodies) {
@@ -106,6 +139,7 @@ PanelSheet overview(const Built& built, const Solution& s, Language language) {
         if (each.kind != ActingCouple::Kind::guide && each.kind != ActingCouple::Kind::hinge)
           add_couple(whole, built, of, body.link, each);
       for (const ActingForce& force : body.sought) {
+        if (!friction_of(built, force)) signs.add(force);
         const std::string name = name_of_force(built, force);
         if (force.kind == ActingForce::Kind::slid || force.kind == ActingForce::Kind::cylinder)
           whole.effort(of.side(force), of.place(force));
@@ -113,10 +147,11 @@ PanelSheet overview(const Built& built, const Solution& s, Language language) {
           reactions.push_back(name);
       }
     }
-    whole.step(turn_of(built, groups, i), of.place(group.bodies.front().sought.front()));
+    whole.step(turn_of(built, of, groups, i, numbers), of.place(group.bodies.front().sought.front()));
   }
   for (const geometry::Drive& drive : built.linkage.drives) {
     efforts.push_back(driving_effort(built, drive).name);
+    if (std::holds_alternative<geometry::TurnedLink>(drive)) signs.add_couples();
   }
   sheet.panels = panels(std::move(whole));
   for (const std::string& each : efforts) sheet.results.push_back(values({each}));
@@ -129,6 +164,7 @@ PanelSheet overview(const Built& built, const Solution& s, Language language) {
     sheet.results.push_back(remark(Words{"Reactions, with friction:", "Reazioni, con l'attrito:"}.in(language)));
   }
   add_in_lines(sheet, reactions, 3);
+  if (const Words all = signs.all(); !all.empty()) sheet.results.push_back(remark(all.in(language)));
   sheet.seen = {"The mechanism with its loads and what drives it",
                 "Il meccanismo con i suoi carichi e ciò che lo muove"};
   sheet.told = efforts;
@@ -149,32 +185,29 @@ bool is_crowded(const GroupForces& group) {
 
 }  // namespace
 
-std::vector<SheetMaker> force_sheets(const std::shared_ptr<const Scene>& scene) {
+std::vector<SheetMaker> force_sheets(const std::shared_ptr<const Scene>& scene, const SheetNumbers& numbers) {
   const Built stated = scene->built(Givens(scene->givens()));
   const std::vector<GroupForces> groups = force_groups(stated);
   std::vector<SheetMaker> sheets;
   if (groups.empty()) return sheets;
-  sheets.push_back({{"forces", {"Forces", "Forze"}}, [scene](const Solution& s, Language language) {
-                      return overview(scene->built(s.givens()), s, language);
+  sheets.push_back({{"forces", {"Forces", "Forze"}}, [scene, numbers](const Solution& s, Language language) {
+                      return overview(scene->built(s.givens()), s, numbers, language);
                     }});
   const auto add = [&](const std::string& name, const Words& title, std::size_t i, Shows shows) {
-    sheets.push_back({{name, title}, [scene, i, shows](const Solution& s, Language) {
+    sheets.push_back({{name, title}, [scene, i, shows](const Solution& s, Language language) {
                         const Built built = scene->built(s.givens());
-                        return group_sheet(built, s, force_groups(built).at(i), shows);
+                        return group_sheet(built, s, force_groups(built).at(i), shows, language);
                       }});
   };
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    std::string name = "forces";
-    const std::vector<std::string> numbers = numbers_of(stated, groups[i]);
-    if (numbers.empty()) name += "-" + pin_of(stated, groups[i]);
-    for (const std::string& number : numbers) name += "-" + number;
+    const std::string name = name_of_sheet(stated, groups[i]);
     const Words title = forces_on(stated, groups[i]);
     if (!is_crowded(groups[i])) {
       add(name, title, i, Shows::all);
       continue;
     }
     add(name, title, i, Shows::bodies);
-    add(name + "-polygon", title + Words{": polygon", ": poligono"}, i, Shows::polygons);
+    add(name_of_polygon(name), title + Words{": polygon", ": poligono"}, i, Shows::polygons);
   }
   return sheets;
 }

@@ -7,6 +7,7 @@
 #include "exercises/kit/panels/chained_polygons_panel.h"
 #include "exercises/kit/panels/free_body_panel.h"
 #include "exercises/scenes/forces/moments_in_words.h"
+#include "exercises/scenes/forces/signs_in_words.h"
 #include "exercises/scenes/sheets/in_lines.h"
 
 namespace epure::scenes {
@@ -20,7 +21,7 @@ class GroupSheet {
   GroupSheet(const Built& built, const Solution& s, const GroupForces& group)
       : built_(built), s_(s), group_(group), of_(built, s) {}
 
-  PanelSheet sheet(Shows shows) const {
+  PanelSheet sheet(Shows shows, Language language) const {
     PanelSheet sheet;
     if (shows != Shows::polygons)
       for (const LinkForces& body : group_.bodies) {
@@ -32,6 +33,7 @@ class GroupSheet {
       for (const ForceLoop& loop : group_.loops)
         if (!is_of_two(loop)) add(sheet, polygon(loop));
     add_results(sheet, shows);
+    add_signs(sheet, shows, language);
     sheet.seen =
         shows == Shows::polygons ? Words{"The polygon of the forces", "Il poligono delle forze"}
         : shows == Shows::bodies
@@ -376,6 +378,20 @@ class GroupSheet {
       if (std::find(told.begin(), told.end(), each) == told.end()) told.push_back(each);
     sheet.told = told;
   }
+  void add_signs(PanelSheet& sheet, Shows shows, Language language) const {
+    SignsInWords signs(of_, built_);
+    for (const LinkForces& body : group_.bodies) {
+      if (shows != Shows::bodies)
+        for (const ActingForce& force : body.sought) signs.add(force);
+      if (shows != Shows::polygons &&
+          std::any_of(body.couples.begin(), body.couples.end(),
+                      [](const ActingCouple& each) { return each.kind != ActingCouple::Kind::load; }))
+        signs.add_couples();
+    }
+    for (const Moments& each : group_.moments)
+      if (std::holds_alternative<ActingCouple>(each.sought)) signs.add_couples();
+    if (const Words all = signs.all(); !all.empty()) sheet.results.push_back(remark(all.in(language)));
+  }
   using Names = std::vector<std::string>;
   void add_inertia(std::vector<VectorQuantity>& vectors, Names& scalars, Names& told) const {
     for (const LinkForces& body : group_.bodies)
@@ -424,8 +440,9 @@ class GroupSheet {
 
 }  // namespace
 
-PanelSheet group_sheet(const Built& built, const Solution& s, const GroupForces& group, Shows shows) {
-  return GroupSheet(built, s, group).sheet(shows);
+PanelSheet group_sheet(const Built& built, const Solution& s, const GroupForces& group, Shows shows,
+                       Language language) {
+  return GroupSheet(built, s, group).sheet(shows, language);
 }
 
 Words enumerated_links(const std::vector<std::string>& numbers) {

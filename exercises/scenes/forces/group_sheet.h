@@ -10,7 +10,8 @@
 namespace epure::scenes {
 
 enum class Shows { all, bodies, polygons };
-PanelSheet group_sheet(const Built& built, const Solution& s, const GroupForces& group, Shows shows);
+PanelSheet group_sheet(const Built& built, const Solution& s, const GroupForces& group, Shows shows,
+                       Language language);
 
 // "3 and 4".
 Words enumerated_links(const std::vector<std::string>& numbers);

@@ -11,8 +11,6 @@
 namespace epure::scenes {
 namespace {
 
-constexpr std::size_t most_poles_on_a_sheet = 2;
-
 std::vector<std::string> points_of(const Built& built, std::size_t link) {
   std::vector<std::string> names;
   for (const geometry::LinkPoint& p : built.linkage.links[link].points)
@@ -29,17 +27,31 @@ std::vector<std::size_t> links_with_pole(const Built& built) {
 std::string letters_of_pole(int link) { return "$K_{" + std::to_string(link) + "}$"; }
 
 // From two of the link's points, the rays that its accelerations are turned into by γ.
-std::vector<PolesStep> steps_to_pole(int link, const std::string& A, const std::string& B) {
+std::vector<PolesStep> steps_to_pole(const Solution& s, int link, const std::string& A, const std::string& B) {
   using Where = PolesStep::Where;
   const std::string number = std::to_string(link), tan = "$α_{" + number + "}$ / $ω^{2}_{" + number + "}$",
-                    alpha = "$α_{" + number + "}$";
+                    alpha = "$α_{" + number + "}$", K = letters_of_pole(link);
+  for (const std::string& X : {A, B})
+    if (s.value(acceleration(X).name) == 0.0)
+      return {{format_words("{} = 0, so {} is ${}$.", "{} = 0, quindi {} è ${}$.", acceleration(X).length().symbol, K,
+                            point_letters(X)),
+               Where::pole}};
+  if (s.value(angular_acceleration(link).name) == 0.0)
+    return {{format_words("{} = 0, and so $γ$ = 0: the ray from ${}$ to {} runs along {}.",
+                          "{} = 0, e quindi $γ$ = 0: il raggio da ${}$ a {} corre lungo la {}.", alpha,
+                          point_letters(A), K, acceleration(A).arrow()),
+             Where::ray, A},
+            {format_words("The ray from ${}$ runs along {}. The two meet in {}.",
+                          "Il raggio da ${}$ corre lungo la {}. I due si incontrano in {}.", point_letters(B),
+                          acceleration(B).arrow(), K),
+             Where::ray, B}};
   return {{format_words("{0} turned by $γ$ in the sense of {1}, tan $γ$ = |{2}|: the ray from ${3}$ to {4}.",
                         "La {0} ruotata di $γ$ nel verso di {1}, tg $γ$ = |{2}|: il raggio da ${3}$ a {4}.",
-                        acceleration(A).arrow(), alpha, tan, point_letters(A), letters_of_pole(link)),
+                        acceleration(A).arrow(), alpha, tan, point_letters(A), K),
            Where::ray, A},
           {format_words("{} turned by the same $γ$: the ray from ${}$. The two meet in {}.",
                         "La {} ruotata dello stesso $γ$: il raggio da ${}$. I due si incontrano in {}.",
-                        acceleration(B).arrow(), point_letters(B), letters_of_pole(link)),
+                        acceleration(B).arrow(), point_letters(B), K),
            Where::ray, B}};
 }
 
@@ -50,59 +62,46 @@ std::vector<PolesStep> without_pole(int link) {
       letters_of_pole(link))}};
 }
 
-// All of a sheet show one mechanism, and at one scale.
-class LinkPolePanel : public PolesPanel {
- public:
-  using PolesPanel::PolesPanel;
-  std::string scale_group() const override { return "mechanism"; }
-};
-
-PanelSheet poles_sheet(const Scene& scene, const Solution& s, std::size_t page) {
+// Of one link, as large as the paper lets it be: vectors, rays and angles crowd about it.
+PanelSheet pole_sheet(const Scene& scene, const Solution& s, std::size_t which, Language language) {
   const Built built = scene.built(s.givens());
-  const std::vector<std::size_t> links = links_with_pole(built);
-  const std::size_t first = page * most_poles_on_a_sheet,
-                    last = std::min(links.size(), first + most_poles_on_a_sheet);
-  const auto figure = std::make_shared<const Mechanism>(figure_of(built, s));
+  const std::size_t of = links_with_pole(built).at(which);
+  const int link = built.letters.links[of];
+  const std::vector<std::string> points = points_of(built, of);
+  const std::string &A = points.front(), &B = points.back();
+  PolesPanel::Kind kind = PolesPanel::of_acceleration();
+  kind.pole = acceleration_centre(link).name;
+  kind.letters = letters_of_pole(link);
+  PolesPanel panel(s, std::make_shared<const Mechanism>(figure_of(built, s)), kind, {A, B},
+                   s.point(kind.pole) ? steps_to_pole(s, link, A, B) : without_pole(link));
+  panel.coordinates_from({0, 0});
   PanelSheet sheet;
-  std::vector<std::pair<std::string, std::string>> rows;
-  for (std::size_t i = first; i < last; ++i) {
-    const int link = built.letters.links[links[i]];
-    const std::vector<std::string> points = points_of(built, links[i]);
-    PolesPanel::Kind kind = PolesPanel::of_acceleration();
-    kind.pole = acceleration_centre(link).name;
-    kind.letters = letters_of_pole(link);
-    LinkPolePanel panel(s, figure, kind, {points.front(), points.back()},
-                        s.point(kind.pole) ? steps_to_pole(link, points.front(), points.back()) : without_pole(link));
-    panel.coordinates_from({0, 0});
-    sheet.panels.push_back(std::make_unique<LinkPolePanel>(std::move(panel)));
-    add_in_lines(sheet, {angular_velocity(link).name, angular_acceleration(link).name}, 2);
-    for (const std::string& X : {points.front(), points.back()}) {
-      const std::string name = acceleration(X).name;
-      if (std::find(sheet.told.begin(), sheet.told.end(), name) != sheet.told.end()) continue;
-      sheet.told.push_back(name);
-      sheet.results.push_back(components(acceleration(X)));
-    }
-    rows.emplace_back(kind.letters, kind.pole);
+  sheet.panels = panels(std::move(panel));
+  add_in_lines(sheet, {angular_velocity(link).name, angular_acceleration(link).name}, 2);
+  sheet.results.push_back(remark(positive_rates.in(language)));
+  for (const std::string& X : {A, B}) {
+    sheet.told.push_back(acceleration(X).name);
+    sheet.results.push_back(components(acceleration(X)));
   }
-  sheet.results.push_back(coordinates(rows));
-  sheet.seen = {"The mechanism, and the points of its links that have no acceleration now",
-                "Il meccanismo, e i punti dei suoi membri che ora non hanno accelerazione"};
+  sheet.results.push_back(coordinates({{kind.letters, kind.pole}}));
+  sheet.seen = format_words("The mechanism, and the point of link {} that has no acceleration now",
+                            "Il meccanismo, e il punto del membro {} che ora non ha accelerazione", link);
   return sheet;
 }
 
 }  // namespace
 
 std::vector<SheetMaker> acceleration_pole_sheets(const std::shared_ptr<const Scene>& scene) {
-  const std::size_t count = links_with_pole(scene->built(Givens(scene->givens()))).size(),
-                    pages = (count + most_poles_on_a_sheet - 1) / most_poles_on_a_sheet;
+  const Built built = scene->built(Givens(scene->givens()));
+  const std::vector<std::size_t> links = links_with_pole(built);
   std::vector<SheetMaker> sheets;
-  for (std::size_t page = 0; page < pages; ++page) {
-    const std::string number = std::to_string(page + 1);
-    const Words title = count == 1 ? Words{"Acceleration pole", "Polo delle accelerazioni"}
-                                   : Words{"Acceleration poles", "Poli delle accelerazioni"};
-    sheets.push_back({{page == 0 ? "acceleration-poles" : "acceleration-poles-" + number,
-                       pages == 1 ? title : title + (" (" + number + ")")},
-                      [scene, page](const Solution& s, Language) { return poles_sheet(*scene, s, page); }});
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const Words title{"Acceleration pole", "Polo delle accelerazioni"};
+    const int link = built.letters.links[links[i]];
+    sheets.push_back(
+        {{i == 0 ? "acceleration-poles" : "acceleration-poles-" + std::to_string(i + 1),
+          links.size() == 1 ? title : title + format_words(" of link {}", " del membro {}", link)},
+         [scene, i](const Solution& s, Language language) { return pole_sheet(*scene, s, i, language); }});
   }
   return sheets;
 }

@@ -151,6 +151,16 @@ class ChartOfScene {
     });
   }
 
+  // Where a curve runs on beyond all that the others need.
+  bool is_cut() const {
+    return std::any_of(samples_->begin(), samples_->end(), [&](const Sample& sample) {
+      return std::any_of(names_.begin(), names_.end(), [&](const std::string& name) {
+        const auto found = sample.values.find(name);
+        return found != sample.values.end() && (found->second.value < span_.low || found->second.value > span_.high);
+      });
+    });
+  }
+
   drawings::Chart chart(const Built& built, Language language) const {
     const double unit = over_.turns() ? 360 : 1;
     drawings::Chart chart;
@@ -167,7 +177,10 @@ class ChartOfScene {
       chart.y.quantity += (chart.y.quantity.empty() ? "" : ", ") + symbol;
       drawings::Curve curve{.name = name, .label = names_.size() > 1 ? symbol : ""};
       if (const auto now = s_.value(name)) curve.points = {{unit * over_.now(), *now}};
-      for (const Extreme& extreme : extremes_of(name)) curve.points.push_back({extreme.place, extreme.value});
+      for (const Extreme& extreme : extremes_of(name))
+        chart.markers.push_back({.at = {extreme.place, extreme.value},
+                                 .label = symbol_of_extreme(symbol, extreme.is_greatest),
+                                 .meaning = Meaning::locus});
       bool is_open = false;
       for (const Sample& sample : *samples_) {
         const auto found = sample.values.find(name);
@@ -280,20 +293,29 @@ PanelSheet chart_sheet(const Scene& scene, const Solution& s, std::size_t which,
                                 "Sulla linea sottile un punto: la posizione disegnata."}
                               .in(language)),
                    values(names)};
-  bool has_extremes = false;
+  bool has_extremes = false, has_outlines = false;
   for (const std::string& name : names)
     for (const ChartOfScene::Extreme& extreme : chart.extremes_of(name)) {
       const std::string found = extreme_name(name, extreme.is_greatest);
       sheet.results.push_back(values({found, place_of_extreme(name, extreme.is_greatest)}));
-      if (!is_rate(built, name)) add_position(mechanism, built, found, extreme.place);
       has_extremes = true;
+      if (is_rate(built, name)) continue;
+      has_outlines = true;
+      add_position(mechanism, built, found, extreme.place);
     }
   if (has_extremes)
     sheet.results.push_back(remark(Words{"The other dots: the greatest and the least in a turn.",
                                          "Gli altri punti: il massimo e il minimo in un giro."}
                                        .in(language)));
+  if (has_outlines)
+    sheet.results.push_back(
+        remark(Words{"In outline: the mechanism there.", "Tratteggiato: il meccanismo in quei punti."}.in(language)));
   sheet.panels = panels(MechanismPanel(std::make_shared<const Mechanism>(std::move(mechanism))),
                         ChartPanel(chart.chart(built, language), chart.read()));
+  if (chart.is_cut())
+    sheet.results.push_back(remark(Words{"Where a curve leaves the chart, it goes on beyond its axis.",
+                                         "Dove una curva esce dal grafico, prosegue oltre il suo asse."}
+                                       .in(language)));
   if (chart.is_broken())
     sheet.results.push_back(
         remark(Words{"Where there is no curve the mechanism does not close, or there is no value.",

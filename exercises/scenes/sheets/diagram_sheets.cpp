@@ -24,6 +24,20 @@ class DiagramPanel : public VectorsPanel {
     for (const std::string& X : points) vectors_.insert({X, {mechanism->at(X), solution.vector(vector(X).name)}});
   }
 
+  // The terms of a sum are thin, from where the sum begins to its tip.
+  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
+    std::vector<drawings::Block> told = VectorsPanel::draw(plot, room, language);
+    for (const MotionStep& step : steps_) {
+      const auto sum = vectors_.find(step.of), first = vectors_.find(step.from);
+      if (sum == vectors_.end() || first == vectors_.end()) continue;
+      const auto& [X, v] = sum->second;
+      const Place corner = plot.tip(X, first->second.second);
+      plot.segment(X, corner, Meaning::construction);
+      plot.segment(corner, plot.tip(X, v), Meaning::construction);
+    }
+    return told;
+  }
+
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override {
     std::vector<PanelStep> placed;
     for (const MotionStep& step : steps_) {
@@ -63,8 +77,7 @@ PanelSheet diagram(const Scene& scene, const Solution& s, bool is_of_velocities,
   for (std::size_t i = 1; i < built.linkage.links.size(); ++i)
     rates.push_back((is_of_velocities ? angular_velocity : angular_acceleration)(built.letters.links[i]).name);
   add_in_lines(sheet, rates, 3);
-  sheet.results.push_back(
-      remark(Words{"Positive: counter-clockwise.", "Positivo: il verso antiorario."}.in(language)));
+  sheet.results.push_back(remark(positive_rates.in(language)));
   if (is_of_velocities) add_offsets(sheet, built, language);
   const auto figure = std::make_shared<const Mechanism>(figure_of(built, s));
   if (moving.empty())

@@ -14,4 +14,7 @@ inline void add_in_lines(PanelSheet& sheet, const std::vector<std::string>& name
     sheet.results.push_back(values({from, from + std::min(in_a_line, names.end() - from)}));
 }
 
+// By which sense ω and α are positive.
+inline const Words positive_rates{"Positive: counter-clockwise.", "Positivo: il verso antiorario."};
+
 }  // namespace epure::scenes

@@ -12,7 +12,8 @@ namespace epure::scenes {
 
 struct MotionStep {
   Words text;
-  std::string of = {};  // a point: the step stands at its vector; empty: it is drawn on another sheet
+  std::string of = {};    // a point: the step stands at its vector; empty: it is drawn on another sheet
+  std::string from = {};  // another point: the vector is a sum that begins with this one's
 };
 std::vector<MotionStep> motion_steps(const Built& built, bool is_of_velocities, const SheetNumbers& numbers);
 

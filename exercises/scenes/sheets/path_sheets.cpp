@@ -237,8 +237,8 @@ PanelSheet path_sheet(const Scene& scene, const Solution& s, std::size_t which, 
   const auto found = kept.of(s.givens(), [&] { return PathOfScene(built, built->paths.at(which)); });
   const PathOfScene& path = *found;
   const std::string &P = path.name(), letters = point_letters(P), centre = centre_of_curvature(P).name;
-  LocusPanel panel(std::make_shared<const Mechanism>(figure_of(*built, s)), P, path.positions(), path.curve(),
-                   path.steps(s));
+  LocusPanel panel(std::make_shared<const Mechanism>(figure_of(*built, s).with_open_blocks()), P, path.positions(),
+                   path.curve(), path.steps(s));
   panel.osculated(s.point(centre), centre, "$Ω_{" + letters + "}$");
   const std::string none = s.value(velocity(P).name) == 0.0 ? "–" : "∞";
   PanelSheet sheet;

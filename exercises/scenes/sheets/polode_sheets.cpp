@@ -87,8 +87,11 @@ class PolodesOfLink {
     };
     if (std::holds_alternative<geometry::TurnedLink>(built_->linkage.drives.front())) {
       for (int part = 0; part < shown_directions; ++part) {
-        const double angle = 2 * std::numbers::pi * part / shown_directions;
-        if (reached_.has(angle)) put(part, {0, {std::cos(angle), std::sin(angle)}, 0, places_.turns()});
+        // Within a range at the middles of equal parts: at its ends the mechanism is about to open.
+        const double share = (part + (reached_.is_whole() ? 0 : 0.5)) / shown_directions,
+                     angle = reached_.is_whole() ? 2 * std::numbers::pi * share
+                                                 : reached_.low() + share * (reached_.high() - reached_.low());
+        put(part, {0, {std::cos(angle), std::sin(angle)}, 0, places_.turns()});
       }
       return all;
     }
@@ -201,9 +204,9 @@ class PolodesPanel : public Panel {
              polodes_->positions().size(), P),
          fixed},
         {format_words("Each position's link {0} with its {1} on tracing paper, carried back until it covers link {0} "
-                      "as it is drawn: {1} marks a point of the moving polode $π$.",
+                      "as it is drawn: {1} marks a point of the moving polode\u00a0$π$.",
                       "Il membro {0} di ogni posizione con il suo {1} su carta da lucido, riportato finché copre il "
-                      "membro {0} disegnato: {1} segna un punto della polare mobile $π$.",
+                      "membro {0} disegnato: {1} segna un punto della polare mobile\u00a0$π$.",
                       number_, P),
          moving},
         {format_words("The curves through the points. They touch in the {} of now, and roll on each other.",
@@ -231,14 +234,24 @@ class PolodesPanel : public Panel {
 
   std::vector<drawings::Block> told(const Plot& plot, const drawings::Box& room, const geometry::Trace& p,
                                     const geometry::Trace& pi, Language language) const {
-    std::string off;
-    for (const CentreThere& each : polodes_->positions())
-      if (!each.in_plane || !is_in(room, plot, *each.in_plane)) off += (off.empty() ? "" : ", ") + each.number;
+    std::string off_p, off_pi;
+    const auto look_at = [&](const CentreThere& each, const std::optional<Place>& at, std::string& off) {
+      if (!at || !is_in(room, plot, *at)) off += (off.empty() ? "" : ", ") + each.number;
+    };
+    for (const CentreThere& each : polodes_->positions()) {
+      look_at(each, each.in_plane, off_p);
+      look_at(each, each.on_link, off_pi);
+    }
+    Words off;
+    if (!off_p.empty())
+      off = off_p + (off_p == off_pi ? Words{" of $p$ and of $π$", " di $p$ e di $π$"} : Words{" of $p$", " di $p$"});
+    if (!off_pi.empty() && off_pi != off_p)
+      off = off + (off.empty() ? "" : "; ") + off_pi + Words{" of $π$", " di $π$"};
     std::vector<drawings::Block> all;
     if (!off.empty())
-      all.emplace_back(drawings::Paragraph{format_words("Off the sheet, or at infinity: {} of $p$.",
-                                                        "Fuori del foglio, o all'infinito: {} di $p$.", off)
-                                               .in(language)});
+      all.emplace_back(drawings::Paragraph{
+          format_words("Off the sheet, or at infinity: {}.", "Fuori del foglio, o all'infinito: {}.", off)
+              .in(language)});
     const auto in_mm = [&](const geometry::Trace& t) {
       return figures(t.deviation() * plot.scale().mm_per_unit, 1, language);
     };
@@ -264,8 +277,9 @@ PanelSheet polode_sheet(const Scene& scene, const Solution& s, std::size_t which
   const int link = built->polodes.at(which), number = built->letters.links[index(link)];
   const std::string P = instant_centre(1, number).name;
   PanelSheet sheet;
-  sheet.panels = panels(PolodesPanel(built, kept.of(s.givens(), [&] { return PolodesOfLink(built, s, link); }), link,
-                                     std::make_shared<const Mechanism>(figure_of(*built, s)), s.point(P)));
+  sheet.panels =
+      panels(PolodesPanel(built, kept.of(s.givens(), [&] { return PolodesOfLink(built, s, link); }), link,
+                          std::make_shared<const Mechanism>(figure_of(*built, s).with_open_blocks()), s.point(P)));
   sheet.results = {coordinates({{"$P_{1" + std::string(number < 10 ? "" : ",") + std::to_string(number) + "}$", P}})};
   sheet.seen =
       format_words("The fixed and the moving polode of link {}, with its instant centre in several positions",

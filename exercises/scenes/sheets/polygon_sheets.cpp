@@ -6,6 +6,7 @@
 #include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/panels/polygon_panel.h"
 #include "exercises/scenes/dyad_equations.h"
+#include "exercises/scenes/links_alike.h"
 #include "exercises/scenes/sheets/in_lines.h"
 #include "exercises/scenes/sheets/scene_figure.h"
 
@@ -28,7 +29,7 @@ class Drawn {
       if (!is_side(X)) drawn.images.push_back({.absolute = side(s_, of(X), {}, {}), .relative = {}, .explained = {}});
     for (const Image& image : equation_.images) {
       for (const std::string& corner : {image.first, image.base})
-        if (!corner.empty() && !image.is_in_line) drawn.images.push_back(edge(image, corner_at(drawn, corner)));
+        if (!corner.empty()) drawn.images.push_back(edge(image, corner_at(drawn, corner)));
       drawn.images.push_back(
           {.absolute = side(s_, of(image.point), {}, {}, tip(image)), .relative = {}, .explained = explained(image)});
     }
@@ -42,6 +43,17 @@ class Drawn {
       for (const Term& term : *chain)
         if (term.source && term.magnitude != "0") names.push_back(term.quantity.name);
     return names;
+  }
+
+  // Known ones that are nothing, as of a rod whose ends lie in one place.
+  std::vector<Words> vanishing() const {
+    std::vector<Words> all;
+    for (const auto* chain : {&right(), &left()})
+      for (const Term& term : *chain)
+        if (term.source && term.magnitude != "0" && term.magnitude != "?" && s_.value(term.quantity.name) == 0.0)
+          all.push_back(format_words("{} = 0: {} is no more than a point.", "{} = 0: la {} si riduce a un punto.",
+                                     term.magnitude, term.quantity.arrow()));
+    return all;
   }
 
   // The points of which the vectors come from other sheets.
@@ -189,8 +201,34 @@ std::shared_ptr<const Mechanism> with_rates(Mechanism figure, const Solution& s,
   return std::make_shared<const Mechanism>(std::move(figure));
 }
 
+// "ω₄ = ω₃ = ω₂. ": of links that turn as another moving one does, where no vector tells how.
+std::string turning_alike(const Built& built, const DyadEquation& equation, bool is_of_velocities) {
+  const LinksAlike alike(built);
+  const auto is_untold = [&](std::size_t i) {
+    const int link = built.letters.links[i];
+    return std::find(equation.links.begin(), equation.links.end(), link) != equation.links.end() &&
+           std::none_of(equation.rods.begin(), equation.rods.end(),
+                        [&](const auto& rod) { return rod.link == link; });
+  };
+  const auto rate = [&](std::size_t i) {
+    return (is_of_velocities ? angular_velocity : angular_acceleration)(built.letters.links[i]).symbol;
+  };
+  std::string all;
+  std::vector<std::size_t> leading{0};  // one of those that turn alike; the frame does not turn
+  for (std::size_t i = 1; i < built.linkage.links.size(); ++i) {
+    const auto is_as = [&](std::size_t other) { return alike.turn_alike(i, other); };
+    if (is_untold(i) || std::any_of(leading.begin(), leading.end(), is_as)) continue;
+    leading.push_back(i);
+    std::string as_it;
+    for (std::size_t j = built.linkage.links.size(); --j > 0;)
+      if (is_untold(j) && is_as(j)) as_it += rate(j) + " = ";
+    if (!as_it.empty()) all += as_it + rate(i) + ". ";
+  }
+  return all;
+}
+
 PanelSheet polygon_sheet(const Scene& scene, const Solution& s, std::size_t which, bool is_of_velocities,
-                         const SheetNumbers& numbers) {
+                         const SheetNumbers& numbers, Language language) {
   const Built built = scene.built(s.givens());
   const std::vector<DyadEquation> equations = dyad_equations(built);
   const DyadEquation& equation = equations.at(which);
@@ -199,18 +237,25 @@ PanelSheet polygon_sheet(const Scene& scene, const Solution& s, std::size_t whic
                        panels(MechanismPanel(with_rates(figure_of(built, s), s, built, equation, is_of_velocities)),
                               PolygonPanel(s, drawn.polygon()))};
   sheet.first = found_on_other_sheets(drawn, equations, is_of_velocities, numbers);
-  add_in_lines(sheet, drawn.known_rates(built.letters.links), 2);
+  const std::vector<std::string> known = drawn.known_rates(built.letters.links);
+  add_in_lines(sheet, known, 2);
   for (const std::string& X : drawn.vectors()) {
     sheet.results.push_back(components(drawn.of(X)));
     sheet.told.push_back(drawn.of(X).name);
   }
   add_in_lines(sheet, drawn.parts(), 2);
+  for (const Words& each : drawn.vanishing()) sheet.results.push_back(remark(each.in(language)));
+  std::string how;
   for (const std::string& rate :
        is_of_velocities ? equation.rates_from_velocities : equation.rates_from_accelerations)
-    sheet.results.push_back(remark(rate + "."));
+    how += rate + ". ";
+  how += turning_alike(built, equation, is_of_velocities);
   std::vector<std::string> rates;
   for (const int link : equation.links)
-    rates.push_back((is_of_velocities ? angular_velocity : angular_acceleration)(link).name);
+    if (const std::string name = (is_of_velocities ? angular_velocity : angular_acceleration)(link).name;
+        std::find(known.begin(), known.end(), name) == known.end())
+      rates.push_back(name);
+  if (!how.empty() || !rates.empty()) sheet.results.push_back(remark(how + positive_rates.in(language)));
   sheet.results.push_back(values(rates));
   sheet.told.insert(sheet.told.end(), rates.begin(), rates.end());
   sheet.seen = is_of_velocities
@@ -259,8 +304,8 @@ std::vector<SheetMaker> polygon_sheets(const std::shared_ptr<const Scene>& scene
                                             : Words{"Acceleration polygon", "Poligono delle accelerazioni"}) +
                           group.in_title;
       sheets.push_back({{name_of_polygon(equations, i, is_of_velocities), title},
-                        [scene, i, is_of_velocities, numbers](const Solution& s, Language) {
-                          return polygon_sheet(*scene, s, i, is_of_velocities, numbers);
+                        [scene, i, is_of_velocities, numbers](const Solution& s, Language language) {
+                          return polygon_sheet(*scene, s, i, is_of_velocities, numbers, language);
                         }});
     }
   return sheets;

@@ -17,6 +17,19 @@ std::vector<Place> in_doubles(const std::vector<geometry::Point<geometry::Bounde
   return all;
 }
 
+// Letters of the points that are elsewhere then, and of what the drive moves in any case.
+std::map<int, std::string> letters_there(const Built& built, const std::vector<Place>& there, const Mechanism& now,
+                                         int driven, bool is_greatest) {
+  constexpr double apart = 1e-3;  // of the whole
+  std::map<int, std::string> letters;
+  for (int p = 0; p < built.linkage.count_of_points(); ++p) {
+    const std::string& name = built.letters.points[index(p)];
+    if (p == driven || distance(there[index(p)], now.at(name)) > apart * now.reach())
+      letters[p] = symbol_of_extreme("$" + point_letters(name) + "$", is_greatest);
+  }
+  return letters;
+}
+
 // What the drive moves: a pin of its link, the point, an end of the cylinder.
 int driven_point(const Built& built, std::size_t drive) {
   const auto moves = [&](int p) { return built.linkage.links_at(p).front() != 0; };
@@ -58,10 +71,9 @@ PanelSheet range_sheet(const Scene& scene, const Solution& s, std::size_t drive,
     }
     if (!end.position) continue;
     has_end = true;
-    const int driven = driven_point(built, drive);
-    const std::string letters =
-        symbol_of_extreme("$" + point_letters(built.letters.points[index(driven)]) + "$", is_greatest);
-    add_in_outline(with_ends, built, name, in_doubles(end.position->points), {{driven, letters}});
+    const std::vector<Place> there = in_doubles(end.position->points);
+    add_in_outline(with_ends, built, name, there,
+                   letters_there(built, there, *now, driven_point(built, drive), is_greatest));
   }
   if (has_end)
     sheet.results.push_back(remark(Words{"In outline: the mechanism there, at its dead centres.",

@@ -394,7 +394,7 @@ void add_lines(Mechanism& figure, const Built& built) {
     const auto& through = of.line(offset.line).through;
     const Place G{CGAL::to_double(through.x), CGAL::to_double(through.y)}, P = figure.at(letter(built, offset.point));
     const double towards = direction(of, offset.line), ux = std::cos(towards), uy = std::sin(towards),
-                 along = (P.x - G.x) * ux + (P.y - G.y) * uy, half = figure.reach() / 3;
+                 along = (P.x - G.x) * ux + (P.y - G.y) * uy, half = figure.reach() / 5;
     figure.axis({G.x + (along - half) * ux, G.y + (along - half) * uy},
                 {G.x + (along + half) * ux, G.y + (along + half) * uy}, letter_of_line(built, offset.line));
   }

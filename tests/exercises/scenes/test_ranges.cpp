@@ -193,7 +193,7 @@ TEST_CASE("the mechanism stands in outline at the ends of its range, lettered, a
   const auto exercise = exercise_said(cases_of_ranges().at("six-bar"));
   const DrawnSheet drawn = exercise->draw("range-theta_2", Givens(exercise->about().givens), {});
   const std::string words = words_of(drawn);
-  CHECK_THAT(words, Contains("$E$: $P$ $E$ and $D$ $E$ lie in one line, stretched out."));
+  CHECK_THAT(words, Contains("$E$: $P$ $E$ and $D$ $E$ lie in one line, stretched out: $PD$ = $PE$ + $DE$."));
   CHECK_THAT(words, Contains("at its dead centres"));
   // On a sheet to be solved nothing is in outline: fewer marks by all of it.
   const DrawnSheet blank = exercise->draw("range-theta_2", Givens(exercise->about().givens), {.blank = true});

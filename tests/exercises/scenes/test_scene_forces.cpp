@@ -508,8 +508,10 @@ TEST_CASE("sheets of forces go from the last group to the drive, and are told as
   const std::string four_bar = scenes::bytes_of(EPURE_SCENES "/loaded-four-bar.yaml"),
                     shaper = scenes::bytes_of(EPURE_SCENES "/cutting-stroke.yaml");
   CHECK(steps_of_forces(four_bar, "forces", Language::english) ==
-        std::vector<std::string>{"First links 3 and 4: only loads act there.",
-                                 "At last link 2: now the forces from the others are known."});
+        std::vector<std::string>{"First links 3 and 4, where only loads act: R_23, R_34, R_14 (sheet 8).",
+                                 "At last link 2, with what the others exert on it: R_12, M_2 (sheet 9)."});
+  CHECK(steps_of_forces(shaper, "forces", Language::italian)[1] ==
+        "Poi il membro 4, con ciò che gli altri vi esercitano: R_14, N_A (tavola 11).");
   CHECK(steps_of_forces(four_bar, "forces-3-4", Language::english) ==
         std::vector<std::string>{"Link 3, moments about B: R_23^t·AB = F·h_F.",
                                  "Link 4, moments about B: R_14^t·B_0B = C.", "From o_3,4 the known R_23^t, ⊥ AB.",

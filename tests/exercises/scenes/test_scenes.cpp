@@ -385,7 +385,8 @@ TEST_CASE("a scene has polygons group by group, and its instant centres", "[scen
         std::vector<std::string>{"velocities", "accelerations", "velocity-polygon-B", "velocity-polygon-D",
                                  "velocity-polygon-E", "acceleration-polygon-B", "acceleration-polygon-D",
                                  "acceleration-polygon-E", "acceleration-poles", "acceleration-poles-2",
-                                 "instant-centres", "instant-centres-2", "instant-centres-3", "path"});
+                                 "acceleration-poles-3", "acceleration-poles-4", "instant-centres",
+                                 "instant-centres-2", "instant-centres-3", "path"});
   CHECK(sheets_of(*exercise_of("excavator")).size() == 9);  // two drives: no centres
 }
 
