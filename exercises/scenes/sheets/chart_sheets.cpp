@@ -11,6 +11,7 @@
 #include "exercises/kit/panels/mechanism_panel.h"
 #include "exercises/kit/proof/agreement.h"
 #include "exercises/kit/proof/asked.h"
+#include "exercises/kit/proof/measured.h"
 #include "exercises/scenes/drive_way.h"
 #include "exercises/scenes/extremes.h"
 #include "exercises/scenes/found_by_search.h"
@@ -185,7 +186,9 @@ class ChartOfScene {
       for (const Sample& sample : *samples_) {
         const auto found = sample.values.find(name);
         const bool is_drawn = found != sample.values.end() && is_fine(found->second);
-        if (is_drawn && !is_open) curve.runs.emplace_back();
+        if (is_drawn &&
+            (!is_open || goes_over_end_of_turn(curve.runs.back().back().y, found->second.value, s_.described(name))))
+          curve.runs.emplace_back();
         if (is_drawn) curve.runs.back().push_back({unit * CGAL::to_double(sample.at), found->second.value});
         is_open = is_drawn;
       }

@@ -963,3 +963,19 @@ TEST_CASE("a chart's curve is found once for the same givens, and anew for other
   CHECK(time_again < time_of_first / 3);
   CHECK(curve(stated).first == first);
 }
+
+TEST_CASE("a chart of a direction parts where it goes over the end of its turn", "[scenes]") {
+  const auto scene = std::make_shared<const scenes::Scene>("f", four_bar() + "charts: [theta_2]\n");
+  const DrawnSheet drawn = scenes::scene_exercise(scene)->draw("chart-theta_2", Givens(scene->givens()), {});
+  std::vector<double> lowest, highest;  // of each piece of the curve, in mm
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* line = std::get_if<drawings::Line>(&mark); line && line->name.starts_with("theta_2")) {
+      auto low = line->path.start.y, high = low;
+      for (const drawings::Piece& piece : line->path.pieces)
+        low = std::min(low, piece.end.y), high = std::max(high, piece.end.y);
+      lowest.push_back(low);
+      highest.push_back(high);
+    }
+  REQUIRE(lowest.size() == 2);
+  CHECK(highest[1] < lowest[0] + 1);  // from 0 to 180, from -180 to 0
+}
