@@ -170,7 +170,7 @@ class PathPanel : public Panel {
   }
   // Of circles, where an arc of 30° has room for its number, and an arch goes no more than once round p.
   bool has_numbers(const Plot& plot) const {
-    constexpr double apart = 4;  // mm
+    constexpr double apart = 5;  // mm
     const bool is_within_turn = f_.given.rolls_on_line() || f_.r <= f_.R;
     return is_divided() && !f_.given.is_line() && is_within_turn &&
            30 * degree * f_.r * plot.scale().mm_per_unit >= apart;
