@@ -30,7 +30,7 @@ const SheetWords& words(Language language) {
       .scales = "scale",
       .source = "fonte",
       .paper = "formato",
-      .sheet = "foglio",
+      .sheet = "tavola",
       .check_bar = "50 mm se stampato al 100 %",
       .construction = "Costruzione",
       .results = "Risultati",

@@ -73,6 +73,11 @@ RollingInstantPanel of_cycloid(const Solution& s, const Rolled& f, std::vector<I
                                const Scale& velocities, const std::string& title) {
   RollingInstantPanel panel(s, f, std::move(steps), velocities);
   panel.titled(title);
+  constexpr double large_enough = 60;  // mm: of a cusp there is little to see
+  if (f.is_at_cusp)
+    panel.no_larger_than(large_enough);
+  else
+    panel.without_room_for_centre();
   if (whole_turns(f.given.phi) == 0) panel.measured_from({-f.r * to_double(f.given.phi), 0});
   return panel;
 }

@@ -8,6 +8,7 @@
 #include "exercises/kit/panels/locus_panel.h"
 #include "exercises/kit/panels/rounded.h"
 #include "geometry/curves/four_bar_loci.h"
+#include "geometry/mechanisms/change_point.h"
 #include "geometry/mechanisms/grashof.h"
 
 namespace epure::four_bar_analytic {
@@ -37,7 +38,7 @@ std::vector<LocusPanel::Position> divided_positions(const Problem& of) {
         found.push_back(
             {{A, is_on_AB(of) ? B : P},
              {{number, A, A0, Meaning::construction},
-              {number, B, outside, Meaning::construction},
+              {number + "'", B, outside, Meaning::construction},
               {number, P, {(A.x + B.x) / 2 + (A.x - P.x) / 2, (A.y + B.y) / 2 + (A.y - P.y) / 2}, Meaning::locus}}});
       } catch (const geometry::Impossible&) {
       } catch (const geometry::Undecided&) {
@@ -85,8 +86,8 @@ std::vector<PanelStep> steps_to_curve(const Solution& s, const std::vector<Locus
   return {{format_words("The crank's circle in {} parts from +$x$: positions of $A$.",
                         "La circonferenza di manovella in {} parti da +$x$: le posizioni di $A$.", crank_positions),
            place(7, 0)},
-          {{"$B$ about $A$ and $B_{0}$; on tracing paper $P$ goes with $AB$ and marks a point.",
-            "$B$ da $A$ e $B_{0}$; su carta da lucido $P$ va con $AB$ e segna un punto."},
+          {{"$B$ about $A$ and $B_{0}$ (primed); on tracing paper $P$ goes with $AB$ and marks a point.",
+            "$B$ da $A$ e $B_{0}$ (con l'apice); su carta da lucido $P$ va con $AB$ e segna un punto."},
            place(2, 2)},
           {{"The curve through the points: the path of $P$.", "La curva per i punti: la traiettoria di $P$."},
            place(5, 2)},
@@ -123,9 +124,19 @@ PanelSheet coupler_curve_sheet(const Solution& s, Language language) {
                                      "on the other side of $AB_{0}$ (second line type).",
                                      "La manovella non fa il giro completo: alle posizioni limite la traiettoria "
                                      "continua con $B$ dall'altro lato di $AB_{0}$ (secondo tipo di linea)."};
+  const Words flat = geometry::flat_positions(of.instant.lengths).empty()
+                         ? Words{}
+                         : Words{
+                               "With all hinges in one line the linkage is at a change point: the path has a corner "
+                               "there, and no number.",
+                               "Con tutte le cerniere allineate il meccanismo è in un punto di cambiamento: lì la "
+                               "traiettoria ha uno spigolo, senza numero."};
   const std::string none = s["v_P"] == 0 ? "–" : "∞";
   return {.panels = panel.needs_close_up() ? panels(whole.beside_close_up(), panel.close_up()) : panels(panel),
-          .results = {remark(past_limit.in(language)),
+          .legend = {remark(Words{"$P$: at $P_{∥}$ from $A$ along $AB$, and at $P_{⊥}$ to the left of it.",
+                                  "$P$: a $P_{∥}$ da $A$ lungo $AB$, e a $P_{⊥}$ alla sua sinistra."}
+                                .in(language))},
+          .results = {remark(past_limit.in(language)), remark(flat.in(language)),
                       table({"", "$x$", "$y$"},
                             {{"$P$ (m)", {"P_x", "P_y"}},
                              {"$v_{P}$ (m/s)", {"v_P_x", "v_P_y"}},

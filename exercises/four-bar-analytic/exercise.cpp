@@ -105,18 +105,18 @@ PanelSheet velocities_sheet(const Solution& s, Language language) {
   polygon.with_equations({{{{"$\\vec{v}_{G3}$", "?", "?", ""},
                             {"$\\vec{v}_{A}$", "⊥ $A_{0}A$", "|$ω_{2}$|·$A_{0}A$", "="},
                             {"$\\vec{v}_{G3A}$", "⊥ $AB$", "|$ω_{3}$|·$AG_{3}$", "+"}}}});
-  return {
-      .panels = panels(MechanismPanel(with_midpoints(s, "omega", "ω")), polygon),
-      .results = {remark("|$ω_{3}$| = $v_{BA}$ / $AB$,  |$ω_{4}$| = $v_{B}$ / $B_{0}B$"),
-                  values({"omega_2", "omega_3", "omega_4"}), values({"v_A"}), vectors_by_point("v", "m/s"),
-                  on_the_source(s,
-                                {"The source's table writes $\\vec{v}_{B}$ ∥ $B_{0}B$: it is perpendicular to it.",
-                                 "La tabella della fonte scrive $\\vec{v}_{B}$ ∥ $B_{0}B$: è normale."},
-                                language)},
-      .seen = {"The polygon of the velocities of the four-bar, with the images of the links' midpoints",
-               "Il poligono delle velocità del quadrilatero, con le immagini delle mezzerie"},
-      .told = {"omega_3", "omega_4", "v_B", "v_G3"},
-      .without_part = {"AP_along", "AP_across"}};
+  return {.panels = panels(MechanismPanel(with_midpoints(s, "omega", "ω")), polygon),
+          .results = {remark("|$ω_{3}$| = $v_{BA}$ / $AB$,  |$ω_{4}$| = $v_{B}$ / $B_{0}B$"),
+                      values({"omega_2", "omega_3", "omega_4"}), values({"v_A"}), vectors_by_point("v", "m/s"),
+                      on_the_source(
+                          s,
+                          {"The source's table writes $\\vec{v}_{B}$ ∥ $B_{0}B$: it is perpendicular to it.",
+                           "La tabella della fonte scrive $\\vec{v}_{B}$ ∥ $B_{0}B$: invece le è perpendicolare."},
+                          language)},
+          .seen = {"The polygon of the velocities of the four-bar, with the images of the links' midpoints",
+                   "Il poligono delle velocità del quadrilatero, con le immagini delle mezzerie"},
+          .told = {"omega_3", "omega_4", "v_B", "v_G3"},
+          .without_part = {"AP_along", "AP_across"}};
 }
 
 PanelSheet accelerations_sheet(const Solution& s, Language language) {

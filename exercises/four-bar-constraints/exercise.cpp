@@ -148,23 +148,25 @@ PanelSheet comparison_sheet(const Solution& s, Language language) {
       .panels = panels(VectorsPanel(s, std::make_shared<const Mechanism>(linkage_with_midpoints(s, false)), velocity,
                                     {"G2", "G3", "G4"}),
                        three_methods(s, language)),
-      .theory = {{{"Three methods", "Tre metodi"},
-                  {remark(Words{
-                       "Constraint equations: Newton-Raphson for the angles, then two linear systems with the "
-                       "same matrix $ψ_{\\it{y}}$. Nothing is solved in closed form: a method for computers.",
-                       "Equazioni di vincolo: Newton-Raphson per le anomalie, poi due sistemi lineari con la "
-                       "stessa matrice $ψ_{\\it{y}}$. Nulla è risolto in forma chiusa: un metodo da calcolatore."}
-                              .in(language)),
-                   remark(Words{"Closure solved (N.10): one quadratic equation in tan($θ_{4}$/2) for both "
-                                "configurations, then its derivatives.",
-                                "Chiusura risolta (N.10): un'equazione di secondo grado in tg($θ_{4}$/2) per le due "
-                                "configurazioni, poi le derivate."}
-                              .in(language)),
-                   remark(Words{"Construction: $B$ by two arcs, then two polygons of vectors, of which the midpoints "
-                                "halve the sides; rounded to three figures, as many as a drawing gives.",
-                                "Costruzione: $B$ con due archi, poi due poligoni di vettori, dei quali le mezzerie "
-                                "dimezzano i lati; arrotondata a tre cifre, quante ne dà un disegno."}
-                              .in(language))}}},
+      .theory =
+          {{{"Three methods", "Tre metodi"},
+            {remark(Words{"Constraint equations: Newton-Raphson for the angles, then two linear systems with the "
+                          "same matrix $ψ_{\\it{y}}$. Nothing is solved in closed form: a method for computers.",
+                          "Equazioni di vincolo: Newton-Raphson per le anomalie, poi due sistemi lineari con la "
+                          "stessa matrice $ψ_{\\it{y}}$. Nulla è risolto in forma chiusa: un metodo da calcolatore."}
+                        .in(language)),
+             remark(Words{"Closure solved (N.10): one quadratic equation in tan($θ_{4}$/2) for both "
+                          "configurations, then its derivatives.",
+                          "Chiusura risolta (N.10): un'equazione di secondo grado in tg($θ_{4}$/2) per le due "
+                          "configurazioni, poi le derivate."}
+                        .in(language)),
+             remark(Words{"Construction (N.10, sheets 2 and 3): $B$ by two arcs, then two polygons of vectors, of "
+                          "which the midpoints halve the sides; rounded to three figures, as many as a "
+                          "drawing gives.",
+                          "Costruzione (N.10, tavole 2 e 3): $B$ con due archi, poi due poligoni di vettori, dei "
+                          "quali le mezzerie dimezzano i lati; arrotondata a tre cifre, quante ne dà un "
+                          "disegno."}
+                        .in(language))}}},
       .seen = {"The four-bar linkage, and its angles, rates and midpoints by three methods side by side",
                "Il quadrilatero, con le sue anomalie, velocità e mezzerie per tre vie a confronto"},
       .told = {"theta_3", "theta_4", "omega_3", "omega_4", "alpha_3", "alpha_4"}};

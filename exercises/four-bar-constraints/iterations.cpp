@@ -309,7 +309,7 @@ PanelSheet convergence_sheet(const Solution& s, Language language) {
                               .in(language)),
                    remark(of_zero.in(language)),
                    remark(Words{
-                       "Near the solution each step doubles the number of right digits: the iteration converges "
+                       "Near the solution each step doubles the number of correct digits: the iteration converges "
                        "quadratically.",
                        "Vicino alla soluzione ogni passo raddoppia le cifre esatte: la convergenza è quadratica."}
                               .in(language)),

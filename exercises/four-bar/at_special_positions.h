@@ -130,12 +130,12 @@ struct AtParallel {
     const FourBarInstant& instant = of.instant;
     const T omega_2 = instant.omega_2<T>(), alpha_2 = geometry::radians<T>(instant.alpha_2);
     const auto found = geometry::parallel_position<T>(instant.lengths, sense, branch);
-    const auto& at = found.at;
+    const Configuration<T> here = with_plate(found.at, of, of.C_side);
+    const auto& at = here.at;
     Ledger<T> ledger("construction");
     ledger.begin_case(which.prefix, which.words);
     write_found_crank(ledger, found.crank);
-    ledger.put(point("A"), at.A);
-    ledger.put(point("B"), at.B);
+    for (const auto& X : here.points()) ledger.put(point(X.letter), X.at);
     ledger.draws_point("A0", at.A0);
     ledger.draws_point("B0", at.B0);
     ledger.draws_point("Q", at.A + (at.B0 - at.B));
@@ -144,11 +144,10 @@ struct AtParallel {
     const Vector<T> v_B = turning.velocity(at.B);
     ledger.put(angular_velocity(3), turning.omega());
     ledger.put(angular_velocity(4), rate_of_rocker(at, v_B));
-    ledger.draws_vector("v_A", turning.velocity(at.A));
-    ledger.draws_vector("v_B", v_B);
+    ledger.put(velocity("B"), v_B);
+    ledger.put(velocity("C"), turning.velocity(here.C));
     ledger.route("polar diagram");
-    const auto motion = motion_by_polar_diagram(at, omega_2, alpha_2);
-    write_rates(ledger, motion.coupler.omega, motion.omega_4, motion.coupler.alpha, motion.alpha_4);
+    by_polygons(ledger, here, omega_2, alpha_2);
 
     const auto which_one = sense == Sense::same ? analytic::Parallel::same_sense : analytic::Parallel::opposite_sense;
     const auto crank =
@@ -157,20 +156,9 @@ struct AtParallel {
         analysed(of, analytic::crank_along<T>(crank, omega_2, alpha_2), analytic_branch(branch), of.C_side);
     ledger.route("analytic");
     write_found_crank(ledger, plane(crank));
-    put_point<T>(ledger, point("A"), [&] { return analysis.position.A; });
-    put_point<T>(ledger, point("B"), [&] { return analysis.position.B; });
-    const auto& m = analysis.motion;
-    write_rates(ledger, m.omega_3, m.omega_4, m.alpha_3, m.alpha_4);
+    for (const auto& X : analysis.points()) put_point<T>(ledger, point(X.letter), [&] { return X.at; });
+    links_by_analysis(ledger, of, analysis);
     return ledger;
-  }
-
- private:
-  template <class T>
-  static void write_rates(Ledger<T>& ledger, const T& omega_3, const T& omega_4, const T& alpha_3, const T& alpha_4) {
-    ledger.put(angular_velocity(3), omega_3);
-    ledger.put(angular_velocity(4), omega_4);
-    ledger.put(angular_acceleration(3), alpha_3);
-    ledger.put(angular_acceleration(4), alpha_4);
   }
 };
 

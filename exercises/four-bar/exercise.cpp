@@ -162,6 +162,7 @@ PolygonSide across(PolygonSide side, const Place& from, const Place& to) {
 struct PolygonOf {
   const Solution& s;
   std::string prefix = {};
+  std::string primes = "'";  // of the images of A, B and C
 
   Place at(const char* name) const { return s.place(prefix + name); }
   PolygonSide operator()(const VectorQuantity& quantity, const std::string& direction = {},
@@ -169,8 +170,7 @@ struct PolygonOf {
     return epure::side(s, of_case(prefix, quantity), direction, magnitude, tip);
   }
   // c', or c'', by the vectors of C and of C relative to A and to B.
-  std::vector<PolygonImage> image_of_C(VectorQuantity (*kind)(const std::string&), const Words& explained,
-                                       const std::string& primes = "'") const {
+  std::vector<PolygonImage> image_of_C(VectorQuantity (*kind)(const std::string&), const Words& explained) const {
     PolygonSide c = (*this)(kind("C"));
     c.tip = "$c" + primes + "$";
     return {{.absolute = c, .relative = unmeasured((*this)(kind("CA"))), .explained = explained},
@@ -191,9 +191,11 @@ VectorPolygon velocities(const PolygonOf& of) {
   return polygon;
 }
 
-VectorPolygon accelerations(const PolygonOf& of, bool crank_speeds_up) {
-  const std::string primes = of.prefix.empty() ? "'" : "''",  // beside the images of velocities
-      a = "$a" + primes + "$", b = "$b" + primes + "$";
+bool crank_speeds_up(const Solution& s) { return !is_zero(s.givens().angle("alpha_2")); }
+
+VectorPolygon accelerations(const PolygonOf& of) {
+  const bool speeds_up = crank_speeds_up(of.s);
+  const std::string a = "$a" + of.primes + "$", b = "$b" + of.primes + "$";
   const auto unless_zero = [](PolygonSide side) {
     if (magnitude(side.v) == 0) side.magnitude = "0";
     return side;
@@ -204,40 +206,41 @@ VectorPolygon accelerations(const PolygonOf& of, bool crank_speeds_up) {
               a_BA_t = across(of(tangential_acceleration("BA"), "⊥ $AB$", "?", b), of.at("A"), of.at("B"));
   a_B_t.square = a_B_n.is_drawn();
   a_BA_t.square = a_BA_n.is_drawn();
-  const PolygonSide a_A = crank_speeds_up ? of(acceleration("A"), "$a^{n}_{A}$, $a^{t}_{A}$", "", a)
-                                          : of(acceleration("A"), "∥ $AA_{0}$", "$ω^{2}_{2}$·$A_{0}A$", a);
+  const PolygonSide a_A = speeds_up ? of(acceleration("A"), "$a^{n}_{A}$, $a^{t}_{A}$", "", a)
+                                    : of(acceleration("A"), "∥ $AA_{0}$", "$ω^{2}_{2}$·$A_{0}A$", a);
   VectorPolygon polygon = acceleration_polygon({a_B_n, a_B_t}, {a_A, a_BA_n, a_BA_t});
-  if (crank_speeds_up)
+  if (speeds_up)
     polygon.images = {
         {.absolute = unmeasured(of(normal_acceleration("A")))},
         {.absolute = unlabelled(of(acceleration("A"))), .relative = unmeasured(of(tangential_acceleration("A")))}};
-  PolygonImage sums{.absolute = of(acceleration("B")),
-                    .relative = unmeasured(of(acceleration("BA"))),
-                    .explained = {"$\\vec{a}_{B}$ from $O_{a}$ to $b'$, $\\vec{a}_{BA}$ from $a'$ to $b'$.",
-                                  "La $\\vec{a}_{B}$ da $O_{a}$ a $b'$, la $\\vec{a}_{BA}$ da $a'$ a $b'$."}};
+  PolygonImage sums{
+      .absolute = of(acceleration("B")),
+      .relative = unmeasured(of(acceleration("BA"))),
+      .explained = {"$\\vec{a}_{B}$ from $O_{a}$ to " + b + ", $\\vec{a}_{BA}$ from " + a + " to " + b + ".",
+                    "La $\\vec{a}_{B}$ da $O_{a}$ a " + b + ", la $\\vec{a}_{BA}$ da " + a + " a " + b + "."}};
   // At a dead centre the parts of a_BA are so unlike that its letters would be lost beside the greater one; a_B has
-  // one part.
-  if (!of.prefix.empty()) {
+  // one part. Where the coupler translates a_BA has one part.
+  if (!a_B_n.is_drawn()) {
     sums.closes_triangle = true;
     sums.explained = {"$\\vec{a}_{B}$ = $\\vec{a}^{t}_{B}$, from $O_{a}$ to " + b + ".",
                       "$\\vec{a}_{B}$ = $\\vec{a}^{t}_{B}$, da $O_{a}$ a " + b + "."};
+  } else if (!a_BA_n.is_drawn()) {
+    sums.relative = {};
+    sums.explained = {"$\\vec{a}_{B}$ from $O_{a}$ to " + b + ".", "La $\\vec{a}_{B}$ da $O_{a}$ a " + b + "."};
   }
   polygon.images.push_back(std::move(sums));
   auto image = of.image_of_C(
       acceleration,
       format_words("$c{0}$: the triangle $a{0}b{0}c{0}$ is similar to $ABC$, in the same sense.",
-                   "$c{0}$: il triangolo $a{0}b{0}c{0}$ è simile ad $ABC$, nello stesso verso.", primes),
-      primes);
+                   "$c{0}$: il triangolo $a{0}b{0}c{0}$ è simile ad $ABC$, nello stesso verso.", of.primes));
   image.back().closes_triangle = true;
   polygon.images.insert(polygon.images.end(), image.begin(), image.end());
   return polygon;
 }
 
-bool crank_speeds_up(const Solution& s) { return !is_zero(s.givens().angle("alpha_2")); }
-
 // The parts of a_A in an equation of their own: six terms in one line would be too wide.
-PolygonPanel acceleration_panel(const PolygonOf& of, PolygonPanel::Table table = PolygonPanel::Table::none) {
-  PolygonPanel panel(of.s, accelerations(of, crank_speeds_up(of.s)), table);
+PolygonPanel panel_of_accelerations(const PolygonOf& of, PolygonPanel::Table table = PolygonPanel::Table::none) {
+  PolygonPanel panel(of.s, accelerations(of), table);
   if (crank_speeds_up(of.s))
     panel.with_equations({{{{"$\\vec{a}_{A}$", "", "", ""},
                             {"$\\vec{a}^{n}_{A}$", "∥ $AA_{0}$", "$ω^{2}_{2}$·$A_{0}A$", "="},
@@ -249,6 +252,14 @@ PolygonPanel acceleration_panel(const PolygonOf& of, PolygonPanel::Table table =
                             {"$\\vec{a}^{t}_{CA}$", "⊥ $CA$", "|$α_{3}$|·$AC$", "+"}}}});
   return panel;
 }
+
+}  // namespace
+
+PolygonPanel acceleration_panel(const Solution& s, const std::string& of_case, const std::string& primes) {
+  return panel_of_accelerations({s, of_case, primes});
+}
+
+namespace {
 
 Result rates_of_velocity() { return remark("|$ω_{3}$| = $v_{BA}$ / $AB$,  |$ω_{4}$| = $v_{B}$ / $B_{0}B$"); }
 Result rates_of_acceleration() {
@@ -270,7 +281,8 @@ PanelSheet velocity_diagram_sheet(const Solution& s, Language) {
 
 PanelSheet acceleration_diagram_sheet(const Solution& s, Language) {
   return {
-      .panels = panels(MechanismPanel(linkage(s, "alpha")), acceleration_panel({s}, PolygonPanel::Table::measured)),
+      .panels =
+          panels(MechanismPanel(linkage(s, "alpha")), panel_of_accelerations({s}, PolygonPanel::Table::measured)),
       .results = {values({"omega_2", "omega_3", "omega_4"}), values({"alpha_3", "alpha_4"}), rates_of_acceleration()},
       .seen = {"The polygon of the accelerations of the four-bar linkage, with the image of C",
                "Il poligono delle accelerazioni del quadrilatero articolato, con l'immagine di C"},
@@ -396,7 +408,7 @@ PanelSheet dead_centre_sheet(const Solution& s, Language language, geometry::Rea
   };
   return {
       .panels = panels(MechanismPanel(linkage(s, "alpha", prefix)),
-                       VelocitiesAtDeadCentre(s, velocities({s, prefix})), acceleration_panel({s, prefix})),
+                       VelocitiesAtDeadCentre(s, velocities({s, prefix})), acceleration_panel(s, prefix, "''")),
       .results = {values(names({"crank_angle_deg", "rocker_angle_deg"})),
                   values({"omega_2", prefix + "omega_3", prefix + "omega_4"}), values(names({"alpha_3", "alpha_4"})),
                   by_point({"A", "B", "C"},
@@ -427,7 +439,8 @@ Description description() {
                "by the polar diagrams, inflection and stationarity circles and the centre of curvature of C's path; "
                "the same at both dead centres of the rocker and where crank and rocker are parallel.",
                "All'istante dato trovare velocità e accelerazioni dei punti del quadrilatero con i poli e con i "
-               "diagrammi polari, i cerchi dei flessi e di stazionarietà e il centro di curvatura della traiettoria "
+               "diagrammi polari, le circonferenze dei flessi e di stazionarietà e il centro di curvatura della "
+               "traiettoria "
                "di C; lo stesso nei due punti morti del bilanciere e dove manovella e bilanciere sono paralleli."},
           .givens = givens(),
           .printed = printed_by_the_source};
@@ -438,6 +451,9 @@ std::vector<SheetMaker> sheets() {
     return [=](const Solution& s, Language language) { return sheet(s, language, reach); };
   };
   const auto extended = geometry::Reach::extended, folded = geometry::Reach::folded;
+  const auto parallel = [](geometry::Sense sense) {
+    return [=](const Solution& s, Language language) { return parallel_links_sheet(s, language, sense); };
+  };
   return {
       {{"poles",
         {"Velocities by the poles", "Velocità col metodo dei poli"},
@@ -505,9 +521,18 @@ std::vector<SheetMaker> sheets() {
        at(circles_at_dead_centre, folded)},
       {{"parallel-links",
         {"Crank and rocker parallel", "Manovella e bilanciere paralleli"},
-        {"Where crank and rocker are parallel find the velocities and accelerations of the linkage's points.",
-         "Dove manovella e bilanciere sono paralleli trovare velocità e accelerazioni dei punti del quadrilatero."}},
-       parallel_links_sheet},
+        {"Where crank and rocker are parallel in the same sense find the velocities and accelerations of the "
+         "linkage's points.",
+         "Dove manovella e bilanciere sono paralleli e concordi trovare velocità e accelerazioni dei punti del "
+         "quadrilatero."}},
+       parallel(geometry::Sense::same)},
+      {{"parallel-links-opposite",
+        {"Parallel in opposite senses", "Paralleli e discordi"},
+        {"Where crank and rocker are parallel in opposite senses find the velocities and accelerations of the "
+         "linkage's points.",
+         "Dove manovella e bilanciere sono paralleli e discordi trovare velocità e accelerazioni dei punti del "
+         "quadrilatero."}},
+       parallel(geometry::Sense::opposite)},
       {{"slider-crank",
         {"Circles that are lines", "Circonferenze degeneri in rette"},
         {"In a slider-crank whose crank stands square to the guide the coupler translates for the instant. Find the "

@@ -30,7 +30,7 @@ std::vector<Printed> printed_by_the_source();
 std::vector<RouteValue> solve(const Problem& of, Rung rung);
 
 PanelSheet dead_centres_sheet(const Solution& solution, Language language);
-PanelSheet parallel_links_sheet(const Solution& solution, Language language);
+PanelSheet parallel_links_sheet(const Solution& solution, Language language, geometry::Sense sense);
 PanelSheet slider_crank_sheet(const Solution& solution, Language language);
 // In place of a sheet on a dead centre that the rocker has not.
 PanelSheet no_dead_centre(const Solution& solution, Language language);

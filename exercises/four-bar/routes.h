@@ -132,7 +132,8 @@ void by_poles(Ledger<T>& ledger, const Configuration<T>& place, const T& omega_2
 
 // The sides of both polygons, and c' by a triangle similar to ABC.
 template <class T>
-void by_polar_diagram(Ledger<T>& ledger, const Configuration<T>& place, const T& omega_2, const T& alpha_2) {
+geometry::FourBarMotion<T> by_polygons(Ledger<T>& ledger, const Configuration<T>& place, const T& omega_2,
+                                       const T& alpha_2) {
   const auto& [at, C] = place;
   const Vector<T> AB = at.B - at.A, AC = C - at.A;
   const auto image = [&](const Vector<T>& side) {
@@ -173,7 +174,16 @@ void by_polar_diagram(Ledger<T>& ledger, const Configuration<T>& place, const T&
   ledger.put(tangential_acceleration("C").length(), [&] { return part_along(dot(v_C, a_C), v_C); });
   ledger.put(angular_acceleration(3), a.first_rate);
   ledger.put(angular_acceleration(4), a.second_rate);
-  write_gamma(ledger, -dot(a.first.normal, AB), cross(AB, a.first.closing));
+  return motion;
+}
+
+template <class T>
+void by_polar_diagram(Ledger<T>& ledger, const Configuration<T>& place, const T& omega_2, const T& alpha_2) {
+  const auto& [at, C] = place;
+  const geometry::FourBarMotion<T> motion = by_polygons(ledger, place, omega_2, alpha_2);
+  const auto& of_BA = motion.acceleration.first;
+  const Vector<T> AB = at.B - at.A;
+  write_gamma(ledger, -dot(of_BA.normal, AB), cross(AB, of_BA.closing));
   write_acceleration_pole<T>(ledger, motion.coupler, place.points());
   write_circles(ledger, motion.coupler, motion.coupler.inflection_pole());
   draws_builder(ledger, motion.coupler);
@@ -187,6 +197,10 @@ struct Analysed {
   analytic::Complex<T> C;
 
   LinkDirections<T> links() const { return {plane(position.coupler), plane(position.rocker)}; }
+  analytic::PlaneMotion<T> coupler() const { return analytic::coupler(position, motion); }
+  std::vector<Lettered<analytic::Complex<T>>> points() const {
+    return {{"A", position.A}, {"B", position.B}, {"C", C}};
+  }
 };
 
 // `C_side` apart, so that the plate's mirror image can be asked for.
@@ -202,23 +216,16 @@ Analysed<T> analysed(const Problem& of, const analytic::CrankState<T>& crank, an
 
 // ω² and α times the lengths of the links.
 template <class T>
-void by_analysis(Ledger<T>& ledger, const Problem& of, const Analysed<T>& found, const HalfTurned& back) {
+void links_by_analysis(Ledger<T>& ledger, const Problem& of, const Analysed<T>& found) {
   using geometry::square;
-  const auto& p = found.position;
   const analytic::FourBarMotion<T>& m = found.motion;
-  const analytic::Complex<T>& C = found.C;
-  const analytic::PlaneMotion<T> coupler = analytic::coupler(p, m);
-  const std::vector<Lettered<analytic::Complex<T>>> points{{"A", p.A}, {"B", p.B}, {"C", C}};
-  ledger.route("analytic");
-  for (const auto& X : points) put_point<T>(ledger, point(X.letter), [&] { return X.at; });
-  write_link_angles(ledger, found.links(), back);
-  write_pole<T>(ledger, "P31", coupler, points, crank_parallel_to_rocker);
+  const analytic::PlaneMotion<T> coupler = found.coupler();
 
   const geometry::FourBarLengths& lengths = of.instant.lengths;
   const auto times = [&](const Quantity& quantity, const T& factor, const Rational& length) {
     ledger.put(quantity, [&] { return size(Vector<T>{factor * from_rational<T>(length), T(0)}); });
   };
-  const analytic::Complex<T> v_C = coupler.velocity(C), a_C = coupler.acceleration(C);
+  const analytic::Complex<T> v_C = coupler.velocity(found.C), a_C = coupler.acceleration(found.C);
   put_length<T>(ledger, velocity("A").length(), [&] { return m.v_A; });
   times(velocity("BA").length(), m.omega_3, lengths.AB);
   ledger.put(velocity("B"), plane(m.v_B));
@@ -247,6 +254,19 @@ void by_analysis(Ledger<T>& ledger, const Problem& of, const Analysed<T>& found,
   part_of_a_C(tangential_acceleration("C").length(), &analytic::Complex<T>::re);
   ledger.put(angular_acceleration(3), m.alpha_3);
   ledger.put(angular_acceleration(4), m.alpha_4);
+}
+
+template <class T>
+void by_analysis(Ledger<T>& ledger, const Problem& of, const Analysed<T>& found, const HalfTurned& back) {
+  const analytic::FourBarMotion<T>& m = found.motion;
+  const analytic::PlaneMotion<T> coupler = found.coupler();
+  const auto points = found.points();
+  const T turning_3 = geometry::square(m.omega_3);
+  ledger.route("analytic");
+  for (const auto& X : points) put_point<T>(ledger, point(X.letter), [&] { return X.at; });
+  write_link_angles(ledger, found.links(), back);
+  write_pole<T>(ledger, "P31", coupler, points, crank_parallel_to_rocker);
+  links_by_analysis(ledger, of, found);
   ledger.put(tan_gamma(), [&] { return tangent_of_gamma(turning_3, m.alpha_3); });
   ledger.put(gamma_in_degrees(), [&] {
     if (geometry::sign(turning_3) == geometry::Sign::zero && geometry::sign(m.alpha_3) == geometry::Sign::zero)
@@ -255,7 +275,7 @@ void by_analysis(Ledger<T>& ledger, const Problem& of, const Analysed<T>& found,
   });
   write_acceleration_pole<T>(ledger, coupler, points);
   write_circles(ledger, coupler);
-  write_curvature<T>(ledger, coupler, {"C", C});
+  write_curvature<T>(ledger, coupler, {"C", found.C});
 }
 
 }  // namespace epure::four_bar

@@ -330,11 +330,11 @@ PanelStep to_tangent_points(const Pair& pair, const Plot& plot, const drawings::
   const Place T1 = pair.at(pair.T1), T2 = pair.at(pair.T2.value_or(pair.T1));
   if (pair.is_rack())
     return {{"The perpendicular from $O_{1}$: $T_{1}$ on the base circle.",
-             "La perpendicolare da $O_{1}$: $T_{1}$ sul cerchio di base."},
+             "La perpendicolare da $O_{1}$: $T_{1}$ sulla circonferenza di base."},
             T1};
   const bool one = is_in(room, plot, T1), other = is_in(room, plot, T2);
   Words text{"Perpendiculars from the centres: $T_{1}$, $T_{2}$ on the base circles.",
-             "Le perpendicolari dai centri: $T_{1}$, $T_{2}$ sui cerchi di base."};
+             "Le perpendicolari dai centri: $T_{1}$, $T_{2}$ sulle circonferenze di base."};
   if (one != other)
     text =
         text + format_words(" (${}$ off the sheet.)", " (${}$ fuori del foglio.)", point_letters(one ? "T2" : "T1"));

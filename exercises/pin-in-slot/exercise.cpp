@@ -88,7 +88,7 @@ PanelSheet velocity_sheet(const Solution& s, Language language) {
 
 // The tangential part first: so neighbours are square to each other, and a_cor never runs back over it.
 VectorPolygon accelerations(const Solution& s, Language language) {
-  PolygonSide coriolis = side(s, a_cor(), "⊥ $OB$", "2|$ω$|·|$v_{rel}$|", "$c$");
+  PolygonSide coriolis = side(s, a_cor(), "⊥ $OB$", "2|$ω$·$v_{rel}$|", "$c$");
   coriolis.square = true;
   VectorPolygon polygon = acceleration_polygon(
       {unknown(s, a_B(), along_guide.in(language), {1, 0})},
@@ -105,7 +105,8 @@ PanelSheet acceleration_sheet(const Solution& s, Language language) {
   const Words remarks{
       "$\\vec{a}_{cor}$ is $\\vec{v}_{rel}$ turned by 90° in the sense of $ω$, times 2|$ω$|. The disc's pole $D$ "
       "stays below $B$, so $a_{B}$ = −$α_{3}$·$\\it{R}$.",
-      "$\\vec{a}_{cor}$ è $\\vec{v}_{rel}$ ruotata di 90° nel verso di $ω$, per 2|$ω$|. Il polo $D$ del disco resta "
+      "$\\vec{a}_{cor}$ è $\\vec{v}_{rel}$ ruotata di 90° nel verso di $ω$, moltiplicata per 2|$ω$|. Il polo $D$ del "
+      "disco resta "
       "sotto $B$, perciò $a_{B}$ = −$α_{3}$·$\\it{R}$."};
   return {.panels = panels(MechanismPanel(mechanism(s, "alpha_disc", "$α_{3}$")),
                            PolygonPanel(s, accelerations(s, language))),

@@ -170,7 +170,7 @@ PanelSheet acceleration_of_B_sheet(const Solution& s, Language language) {
                           "$a^{{(1)}}_{{B}}$ = {} m/s² instead of $a_{{B}}$ = {} m/s². Its table 3 has it right.",
                           "Osservazione. La (1) della fonte ha $\\vec{{a}}_{{A}}$ oltre ad $\\vec{{a}}^{{n}}_{{A}}$ "
                           "+ $\\vec{{a}}^{{t}}_{{A}}$, che ne sono le parti. Disegnata così darebbe "
-                          "$a^{{(1)}}_{{B}}$ = {} m/s² invece di $a_{{B}}$ = {} m/s². La tabella 3 è giusta.",
+                          "$a^{{(1)}}_{{B}}$ = {} m/s² invece di $a_{{B}}$ = {} m/s². La sua tabella 3 è giusta.",
                           wrong, right)
                  .in(language)));
   return shown;
@@ -209,22 +209,22 @@ std::unique_ptr<Exercise> make_rivals_polygons() {
   return exercise_of_panels(
       description(), solve,
       {{{"velocity-of-B",
-         {"Velocity of B, step by step", "Velocità di B, passo per passo"},
+         {"Velocity of B, step by step", "Velocità di\u00a0B, passo per passo"},
          {"Find the velocity of B by Rivals' theorem, adding vectors one by one.",
           "Trovare la velocità di B con il teorema di Rivals, sommando i vettori uno per uno."}},
         velocity_of_B_sheet},
        {{"velocity-of-G",
-         {"Velocity of G, step by step", "Velocità di G, passo per passo"},
+         {"Velocity of G, step by step", "Velocità di\u00a0G, passo per passo"},
          {"Find the velocity of G by Rivals' theorem, adding vectors one by one.",
           "Trovare la velocità di G con il teorema di Rivals, sommando i vettori uno per uno."}},
         velocity_of_G_sheet},
        {{"acceleration-of-B",
-         {"Acceleration of B, step by step", "Accelerazione di B, passo per passo"},
+         {"Acceleration of B, step by step", "Accelerazione di\u00a0B, passo per passo"},
          {"Find the acceleration of B by Rivals' theorem, adding vectors one by one.",
           "Trovare l'accelerazione di B con il teorema di Rivals, sommando i vettori uno per uno."}},
         acceleration_of_B_sheet},
        {{"acceleration-of-G",
-         {"Acceleration of G, step by step", "Accelerazione di G, passo per passo"},
+         {"Acceleration of G, step by step", "Accelerazione di\u00a0G, passo per passo"},
          {"Find the acceleration of G by Rivals' theorem, adding vectors one by one.",
           "Trovare l'accelerazione di G con il teorema di Rivals, sommando i vettori uno per uno."}},
         acceleration_of_G_sheet}});

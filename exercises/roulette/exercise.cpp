@@ -22,7 +22,8 @@ PanelSheet instant_sheet(const Solution& s, Language language) {
       .results = std::move(results),
       .seen =
           {"The bodies, the path, velocity and acceleration of M, the inflection circle and the centre of curvature",
-           "I corpi, la traiettoria, velocità e accelerazione di M, il cerchio dei flessi e il centro di curvatura"},
+           "I corpi, la traiettoria, velocità e accelerazione di M, la circonferenza dei flessi e il centro di "
+           "curvatura"},
       .told = {"v_M", "a_M", "rho_M"}};
 }
 
@@ -56,7 +57,7 @@ std::unique_ptr<Exercise> make_roulette() {
           {"A circle or a line rolls without slipping. Draw the path of the point that it carries; at the given "
            "instant find its velocity, acceleration, inflection circle and centre of curvature.",
            "Una circonferenza o una retta rotola senza strisciare. Tracciare la traiettoria del punto che porta con "
-           "sé; all'istante dato trovarne velocità, accelerazione, cerchio dei flessi e centro di curvatura."},
+           "sé; all'istante dato trovarne velocità, accelerazione, circonferenza dei flessi e centro di curvatura."},
       .givens = given_specs()};
   const auto solve = [](const Givens& givens, Rung rung) {
     return settle(Routes{rolling_of(givens), rung != Rung::drawing}, rung);
@@ -74,7 +75,7 @@ std::unique_ptr<Exercise> make_roulette() {
          {"A circle or a line rolls without slipping. At the given instant find velocity, acceleration, inflection "
           "circle and centre of curvature of the point that it carries.",
           "Una circonferenza o una retta rotola senza strisciare. All'istante dato trovare velocità, accelerazione, "
-          "cerchio dei flessi e centro di curvatura del punto che porta con sé."}},
+          "circonferenza dei flessi e centro di curvatura del punto che porta con sé."}},
         for_what_rolls(instant_sheet)}});
 }
 

@@ -94,8 +94,8 @@ class PathPanel : public Panel {
     return {};
   }
 
-  std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override {
-    std::vector<PanelStep> all{{rolled_off(), f_.P0}, {traced(), f_.M}};
+  std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override {
+    std::vector<PanelStep> all{{rolled_off(), f_.P0}, {traced(plot), f_.M}};
     if (!cusps_.empty()) all.push_back({about_cusps(), at(cusps_.front())});
     return all;
   }
@@ -166,6 +166,32 @@ class PathPanel : public Panel {
     const double step = 30 * degree / k, rolled = to_double(geometry::within_one_turn(psi)) / k;
     for (double i = std::ceil((way_.from + rolled) / step - 1e-9); i * step - rolled <= way_.to + 1e-9 * step; ++i)
       plot.dot(at(i * step - rolled), Meaning::construction);
+    if (has_numbers(plot)) number_arch(plot, step, rolled);
+  }
+  // Of circles, where an arc of 30° has room for its number, and an arch goes no more than once round p.
+  bool has_numbers(const Plot& plot) const {
+    constexpr double apart = 5;  // mm
+    const bool is_within_turn = f_.given.rolls_on_line() || f_.r <= f_.R;
+    return is_divided() && !f_.given.is_line() && is_within_turn &&
+           30 * degree * f_.r * plot.scale().mm_per_unit >= apart;
+  }
+  // The arch of M: its points, and where the bodies touch then.
+  void number_arch(Plot& plot, double step, double rolled) const {
+    constexpr int divisions = 12;
+    for (int n = 1; n < divisions; ++n) {
+      const double since = n * step - rolled;
+      if (since < way_.from || since > way_.to) continue;
+      const Place M = at(since), P0 = contact(since);
+      plot.dot(P0, Meaning::construction);
+      plot.small_label(std::to_string(n), M, P0, Meaning::construction);
+      plot.small_label(std::to_string(n), P0, M, Meaning::construction);
+    }
+  }
+  // Where the bodies touch when they have turned so far since now.
+  Place contact(double since) const {
+    if (f_.given.rolls_on_line()) return f_.P0 + Arrow2{f_.r * since, 0};
+    const double beta = to_double(geometry::contact_angle(rolling(), f_.given.phi + Angle{0, Rational(since)}));
+    return *f_.O() + f_.R * Arrow2{std::cos(beta), std::sin(beta)};
   }
 
   void draw_cusps(Plot& plot) const {
@@ -205,13 +231,19 @@ class PathPanel : public Panel {
             turned};
   }
 
-  Words traced() const {
+  Words traced(const Plot& plot) const {
     const Words name = name_of_path(f_.given);
     if (f_.given.is_line())
       return {"$M$ is carried by the line at the distance $d$: it traces the " + name.english + ".",
               "$M$ è portato dalla retta alla distanza $d$: descrive la curva detta " + name.italian + "."};
     const Words dots =
         is_divided() ? Words{"; the dots are 30° of $ψ$ apart.", "; i punti distano 30° di $ψ$."} : Words{".", "."};
+    const Words numbers = has_numbers(plot)
+                              ? Words{" Those of $M$'s arch have the number of their contact on $p$, along which the "
+                                      "arcs of 30° of $π$ are laid off.",
+                                      " Quelli dell'arcata di $M$ hanno il numero del loro contatto su $p$, lungo il "
+                                      "quale sono riportati gli archi di 30° di $π$."}
+                              : Words{};
     const Way whole = way_of(f_.given, overhang);
     const Words part = way_.to - way_.from < whole.to - whole.from
                            ? Words{" Its rounds lie close together: one before the instant and one after are drawn.",
@@ -219,7 +251,7 @@ class PathPanel : public Panel {
                            : Words{};
     return Words{"$CM$ = $d$, at the angle $ψ$ from $CP_{0}$. $M$ traces the ",
                  "$CM$ = $d$, all'angolo $ψ$ da $CP_{0}$. $M$ descrive la curva detta "} +
-           name + dots + part;
+           name + dots + numbers + part;
   }
 
   Words about_cusps() const {

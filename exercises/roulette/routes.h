@@ -32,15 +32,17 @@ inline Quantity tangential_part_after() {
            "parte tangenziale, subito dopo: altra solo in una cuspide"}};
 }
 inline Quantity diameter() {
-  return {
-      "inflection_diameter", "$δ$", "m", {"diameter of the inflection circle", "diametro del cerchio dei flessi"}};
+  return {"inflection_diameter",
+          "$δ$",
+          "m",
+          {"diameter of the inflection circle", "diametro della circonferenza dei flessi"}};
 }
 inline Quantity to_inflection_circle() {
   return {"Mprime_M",
           "$M'M$",
           "m",
           {"from M to the inflection circle, on the ray from the pole",
-           "da M al cerchio dei flessi, sul raggio dal polo"}};
+           "da M alla circonferenza dei flessi, sul raggio dal polo"}};
 }
 inline Quantity radius_of_curvature() {
   return {"rho_M", "$ρ_{M}$", "m", {"radius of curvature of the path", "raggio di curvatura della traiettoria"}};

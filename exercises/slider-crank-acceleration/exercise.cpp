@@ -170,7 +170,7 @@ Description description() {
           .question =
               {"At the given instant find the accelerations by the polar diagram, inflection and stationarity "
                "circles, the pole K and the accelerations by it, and the centres of curvature of the paths.",
-               "All'istante dato trovare le accelerazioni con il diagramma polare, i cerchi dei flessi e di "
+               "All'istante dato trovare le accelerazioni con il diagramma polare, le circonferenze dei flessi e di "
                "stazionarietà, il polo K e con esso le accelerazioni, e i centri di curvatura delle traiettorie."},
           .givens = slider_crank_givens(true),
           .printed = printed_by_the_source};

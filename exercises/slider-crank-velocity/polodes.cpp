@@ -98,14 +98,25 @@ class PolodesPanel : public Panel {
     return extent.box();
   }
 
+  // The points of both curves near the mechanism, with its joints: where many are in one place it is drawn larger.
+  std::vector<Place> lettered() const override {
+    std::vector<Place> all = mechanism_.corners();
+    for (const Position& at : positions_)
+      for (const auto& P : {at.P0, at.P0_on_coupler})
+        if (P && distance(*P, mechanism_.at("A0")) < size_) all.push_back(*P);
+    return all;
+  }
+
   void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_.draw_given(plot); }
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
     draw_triangles(plot, room);
     plot.in_step(of_fixed_.empty() ? Step::curves : Step::asymptotes);
     for (const auto* lines : {&of_fixed_, &of_moving_})
       for (const geometry::Line<double>& line : *lines) draw_line(plot, line, Meaning::axis);
-    name_asymptotes(plot, room, of_fixed_, "$p$", language);
-    name_asymptotes(plot, room, of_moving_, "$π$", language);
+    if (room.width() > size_ * plot.scale().mm_per_unit) {  // a close-up shows less: the whole names them
+      name_asymptotes(plot, room, of_fixed_, "$p$", language);
+      name_asymptotes(plot, room, of_moving_, "$π$", language);
+    }
     plot.in_step(Step::curves);
     const geometry::Trace p = draw_loci(
         plot, instant_, [&](const Loop& loop) { return fixed(loop); }, room, Meaning::locus, "fixed_polode");
@@ -173,22 +184,32 @@ class PolodesPanel : public Panel {
     return nearest;
   }
 
-  // Each where it leaves the room below, two in one line once.
+  // Each where it leaves the room, below if it does so there; two in one line once.
   static void name_asymptotes(Plot& plot, const drawings::Box& room, const std::vector<geometry::Line<double>>& lines,
                               const std::string& curve, Language language) {
-    constexpr double above_end = 5, one_line = 1;  // mm
-    const Place P0 = plot.from_paper({room.low.x, room.low.y + above_end});
+    constexpr double one_line = 1;  // mm
     std::vector<Place> named;
-    for (const auto& [a, b, c] : lines) {
-      if (std::abs(a) < std::abs(b)) continue;  // too flat to leave below
-      const Place P{-(b * P0.y + c) / a, P0.y};
-      const bool is_named = std::any_of(named.begin(), named.end(), [&](const Place& Q) {
-        return distance(P, Q) * plot.scale().mm_per_unit < one_line;
-      });
-      if (is_named || !is_in(room, plot, P)) continue;
-      plot.small_label(Words{"asymptote of ", "asintoto di "}.in(language) + curve, P, P);
-      named.push_back(P);
+    for (const geometry::Line<double>& line : lines) {
+      const auto P = near_edge(plot, room, line);
+      const bool is_named = P && std::any_of(named.begin(), named.end(), [&](const Place& Q) {
+                              return distance(*P, Q) * plot.scale().mm_per_unit < one_line;
+                            });
+      if (!P || is_named) continue;
+      plot.small_label(Words{"asymptote of ", "asintoto di "}.in(language) + curve, *P, *P);
+      named.push_back(*P);
     }
+  }
+  static std::optional<Place> near_edge(const Plot& plot, const drawings::Box& room,
+                                        const geometry::Line<double>& line) {
+    constexpr double above_end = 5, half_letters = 12;  // mm
+    const auto& [a, b, c] = line;
+    const Place low = plot.from_paper({room.low.x + half_letters, room.low.y + above_end}),
+                high = plot.from_paper({room.high.x - half_letters, room.high.y - above_end});
+    for (const double y : {low.y, high.y})
+      if (const Place P{-(b * y + c) / a, y}; a != 0 && is_in(room, plot, P)) return P;
+    for (const double x : {high.x, low.x})
+      if (const Place P{x, -(a * x + c) / b}; b != 0 && is_in(room, plot, P)) return P;
+    return {};
   }
 
   // What rolls off the sheet and comes back has its letter on each piece.
@@ -251,10 +272,10 @@ class PolodesPanel : public Panel {
       if (at.P0 && is_in(room, plot, *at.P0)) {
         plot.polygon({at.A, at.B, *at.P0}, Meaning::construction);
         plot.dot(*at.P0, Meaning::locus);
-        plot.small_label(at.label, *at.P0, at.A);
+        plot.small_label(at.label, *at.P0, at.A, Meaning::locus);
       }
       plot.dot(at.A, Meaning::construction);
-      if (!shares_A(at, positions_)) plot.small_label(at.label, at.A, A0);
+      if (!shares_A(at, positions_)) plot.small_label(at.label, at.A, A0, Meaning::construction);
       plot.in_step(Step::moving);
       if (at.P0_on_coupler && is_in(room, plot, *at.P0_on_coupler)) {
         plot.segment(A, *at.P0_on_coupler, Meaning::construction);
@@ -267,7 +288,8 @@ class PolodesPanel : public Panel {
     plot.in_step(Step::fixed);
     draw_B(plot);
     plot.in_step(Step::moving);
-    for (const auto& [P0, numbers] : numbered_together(plot, of_moving_polode)) plot.small_label(numbers, P0, A);
+    for (const auto& [P0, numbers] : numbered_together(plot, of_moving_polode))
+      plot.small_label(numbers, P0, A, Meaning::second_locus);
   }
 
   // Of the twelve positions those whose points are not on the sheet, and why.

@@ -24,6 +24,9 @@ MOTION = ("A_x A_y B_x B_y C_x C_y coupler_angle rocker_angle v_A omega_3 omega_
           "P0_x P0_y P0A P0B P0C alpha_3 alpha_4 a_A a_B_n a_B_t a_BA_n a_BA_t a_CA_n a_CA_t a_C_n a_C_t a_B_x a_B_y "
           "a_B a_C_x a_C_y a_C K_x K_y KA KB KC Cprime_C rho_C curvature_centre_C_x curvature_centre_C_y Cprime_x "
           "Cprime_y").split() + CIRCLES
+# What a position without a pole has: no distance from it, no circles, no centre of curvature.
+OF_LINKS = [name for name in MOTION if name not in CIRCLES and name not in ("coupler_angle", "rocker_angle", "rho_C")
+            and not name.startswith(("P0", "K", "Cprime", "curvature"))]
 
 
 class Given:
@@ -92,7 +95,7 @@ def put_special(given):
                 continue
             v, sizes = values(given.case(kind, branch))
             put_crank(prefix, v["crank_angle_phi"], sizes)
-            for name in ("A_x", "A_y", "B_x", "B_y", "omega_3", "omega_4", "alpha_3", "alpha_4"):
+            for name in OF_LINKS:
                 put(prefix + name, v[name], sizes, name)
     for name, source in (("rocker_swing", "rocker_swing"), ("time_ratio", "time_ratio"),
                          ("crank_rotation_extended_to_folded", "crank_rotation")):

@@ -107,7 +107,7 @@ TEST_CASE("the title block says what the sheet is, in its language") {
   Sheet sheet = example(Paper::a3, Language::italian);
   const Page page = compose(sheet);
   for (const std::string part : {"Slider-crank", "Velocities", "A source", "1 : 5", "2.5 m/s", "A3", "1/2", "formato",
-                                 "foglio", "fonte", "epure ", "100 %", "direzione", "modulo"}) {
+                                 "tavola", "fonte", "epure ", "100 %", "direzione", "modulo"}) {
     INFO(part);
     CHECK(has_text(page, part));
   }

@@ -289,6 +289,26 @@ TEST_CASE("a crank that turns the other way has its vectors mirrored", "[slider-
   }
 }
 
+TEST_CASE("slider-crank polodes: numbers have the colour of their curve, each asymptote is named",
+          "[slider-crank][sheets]") {
+  const auto count = [](const drawings::Figure& figure, const auto& is_meant) {
+    return std::count_if(figure.labels.begin(), figure.labels.end(), is_meant);
+  };
+  const drawings::Figure figure = draw(of_velocity, "polodes", {}).sheet.figure;
+  for (const auto& [ink, least] : {std::pair{drawings::Meaning::locus, 7}, {drawings::Meaning::second_locus, 5}})
+    CHECK(count(figure, [ink = ink](const drawings::Label& label) {
+            return label.ink == ink && !label.text.starts_with("$");
+          }) >= least);
+  CHECK(count(figure, [](const drawings::Label& label) {
+          return label.ink == drawings::Meaning::text &&
+                 label.text.find_first_not_of("0123456789") == std::string::npos;
+        }) == 3);  // of the links
+  // Those of the moving polode are too flat to end below.
+  const drawings::Figure flat =
+      draw(of_velocity, "polodes", {"r=0.4", "l=0.45", "phi=200", "e=0.03", "delta=30", "n=-100"}).sheet.figure;
+  CHECK(count(flat, [](const drawings::Label& label) { return label.text == "asymptote of $π$"; }) == 2);
+}
+
 TEST_CASE("slider-crank polodes: nothing covers the curves, each piece and each point has its letters once",
           "[slider-crank][sheets]") {
   const drawings::Figure figure = draw(of_velocity, "polodes", {}).sheet.figure;

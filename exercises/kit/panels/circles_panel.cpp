@@ -71,7 +71,8 @@ CirclesPanel& CirclesPanel::beside_detail() {
 }
 
 double CirclesPanel::reach() const {
-  return shows_ == Shows::inflection_circle ? reach_of_overview(inflection_) : mechanism_->reach();
+  constexpr double smaller = 1.5;  // times: in the detail is more to see
+  return shows_ == Shows::inflection_circle ? smaller * reach_of_overview(inflection_) : mechanism_->reach();
 }
 
 std::string CirclesPanel::pole_letters() const { return point_letters(case_.pole); }
@@ -154,7 +155,7 @@ void CirclesPanel::draw_stationarity_circle(Plot& plot, const drawings::Box& roo
   }
   if (!J_ || !K_) return;
   mark_right_angle(plot, *P0_, *P0_ + (*P0_ - *J_), *S_prime_);  // away from the right angles at the rays
-  constexpr double told_from = 15;                               // mm beyond K: a stub at the border tells no more
+  constexpr double told_from = 8;                                // mm beyond K: a stub at the border tells no more
   if (distance(*K_, seen_end(plot, room, *S_prime_, *J_)) * plot.scale().mm_per_unit > told_from)
     draw_to(plot, room, *S_prime_, *J_, "$J$", language);
   else

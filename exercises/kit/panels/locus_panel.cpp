@@ -79,7 +79,8 @@ drawings::Box LocusPanel::extent(const Scale& scale, const Scale&) const {
   return extent.box();
 }
 
-// Points that the eye cannot tell apart have their numbers together: of a joint that comes by and goes back.
+// Points that the eye cannot tell apart have their numbers together: of a joint that comes by and goes back. The
+// path's stand in its close-up, where there is one.
 void LocusPanel::draw_positions(Plot& plot) const {
   constexpr double together = 0.8;  // mm
   std::vector<Numbered> all;
@@ -93,6 +94,7 @@ void LocusPanel::draw_positions(Plot& plot) const {
     for (const Numbered& point : position.points) {
       if (shows_ == Shows::close_up && !is_on_path(point)) continue;
       plot.dot(point.at, point.ink);
+      if (shows_ == Shows::whole && is_on_path(point)) continue;
       const auto same = std::find_if(all.begin(), all.end(), [&](const Numbered& other) {
         return other.ink == point.ink && distance(other.at, point.at) * plot.scale().mm_per_unit < together;
       });

@@ -12,7 +12,9 @@ namespace {
 
 constexpr double load_arrow = 12, past_support = 10;          // mm: its length; how far off the joint a reaction's is
 constexpr double letter_off_outline = 8, region_letters = 4;  // mm; their size
-constexpr double truss_letters = 7;                           // mm around all of it
+constexpr double small_region = 5,
+                 small_letters = 3;   // mm: where a number and a letter have no room beside each other
+constexpr double truss_letters = 7;   // mm around all of it
 constexpr double least_inside = 2.6;  // mm from the middle of a region to its bars, for a letter to stand there
 constexpr int from_beginning = -1;    // of the steps: the truss and its loads are given
 
@@ -24,11 +26,11 @@ double counter_clockwise(double from, double to) {
 }
 
 // Letters with their middle here.
-void write_at(Plot& plot, const std::string& text, const drawings::Point& middle) {
-  const drawings::TextSize size = drawings::measure(text, region_letters);
+void write_at(Plot& plot, const std::string& text, const drawings::Point& middle, double letters = region_letters) {
+  const drawings::TextSize size = drawings::measure(text, letters);
   plot.mark(drawings::Writing{.text = text,
                               .baseline = {middle.x - size.width / 2, middle.y - (size.ascent - size.descent) / 2},
-                              .size = region_letters,
+                              .size = letters,
                               .anchor = 0.5});
 }
 
@@ -131,6 +133,20 @@ void TrussPanel::draw_supports(Plot& plot) const {
   plot.mark(drawings::Ground{plot.at(B + (level - end)), plot.at(B + (level + end))});
 }
 
+std::vector<Place> TrussPanel::corners_of(std::size_t step) const {
+  std::vector<Place> corners;
+  for (const std::size_t joint : figure_->bow.corners[step]) corners.push_back(figure_->joints[joint]);
+  return corners;
+}
+
+// Where regions are small the weight of the bars alone tells what is pressed.
+bool TrussPanel::has_room_for_signs(const Scale& scale) const {
+  if (regions_ != Regions::lettered) return true;
+  for (std::size_t k = 0; k < figure_->bow.steps.size(); ++k)
+    if (inscribed(corners_of(k)).radius * scale.mm_per_unit < small_region) return false;
+  return true;
+}
+
 // Outside beside the middle of the region's part of the outline, inside in the middle of the region.
 void TrussPanel::letter_regions(Plot& plot) const {
   const geometry::BowNotation& bow = figure_->bow;
@@ -159,12 +175,11 @@ void TrussPanel::letter_regions(Plot& plot) const {
     }
   }
   for (std::size_t k = 0; k < bow.steps.size(); ++k) {
-    std::vector<Place> corners;
-    for (const std::size_t joint : bow.corners[k]) corners.push_back(figure_->joints[joint]);
-    const InscribedCircle within = inscribed(corners);
+    const InscribedCircle within = inscribed(corners_of(k));
     const std::string letter = "$" + nth_letter(bow.steps[k].region) + "$";
-    if (within.radius * plot.scale().mm_per_unit >= least_inside)
-      write_at(plot, letter, plot.at(within.centre));
+    const double radius = within.radius * plot.scale().mm_per_unit;
+    if (radius >= least_inside)
+      write_at(plot, letter, plot.at(within.centre), radius < small_region ? small_letters : region_letters);
     else
       plot.label(letter, within.centre);
   }
@@ -172,6 +187,7 @@ void TrussPanel::letter_regions(Plot& plot) const {
 
 void TrussPanel::draw_truss(Plot& plot, bool is_solved) const {
   constexpr double number_size = 2.5;  // mm
+  const bool has_signs = is_solved && has_room_for_signs(plot.scale());
   plot.in_step(from_beginning);
   draw_supports(plot);
   for (std::size_t i = 0; i < figure_->bars.size(); ++i) {
@@ -189,7 +205,7 @@ void TrussPanel::draw_truss(Plot& plot, bool is_solved) const {
     if (funicular_) continue;               // the numbers there are the strings'
     plot.in_step(figure_->step_of_bar(i));  // with its number, what the plan says of it
     plot.onto().sheet.figure.labels.push_back(
-        {.text = std::to_string(i + 1) + (is_solved ? TrussFigure::sign(bar.force) : ""),
+        {.text = std::to_string(i + 1) + (has_signs ? TrussFigure::sign(bar.force) : ""),
          .at = plot.at(P),
          .to = plot.at(Q),
          .size = number_size});
@@ -255,7 +271,7 @@ void TrussPanel::draw_given(Plot& plot, const drawings::Box&, Language) const {
   for (std::size_t k = 2; k < figure_->outside.size(); ++k) draw_force(plot, k);
 }
 
-std::vector<drawings::Block> TrussPanel::draw(Plot& plot, const drawings::Box&, Language) const {
+std::vector<drawings::Block> TrussPanel::draw(Plot& plot, const drawings::Box&, Language language) const {
   constexpr int closed = 2;  // the last step on the truss: its reactions are found
   if (funicular_) draw_strings(plot);
   draw_truss(plot, !funicular_);
@@ -263,7 +279,10 @@ std::vector<drawings::Block> TrussPanel::draw(Plot& plot, const drawings::Box&, 
     if (funicular_) plot.in_step(k < 2 ? closed : from_beginning);
     draw_force(plot, k);
   }
-  return {};
+  if (has_room_for_signs(plot.scale())) return {};
+  return {drawings::Paragraph{Words{"Beside the bars there is no room for + and −: they stand on the next sheet.",
+                                    "Accanto alle aste non c'è posto per + e −: sono nella tavola che segue."}
+                                  .in(language)}};
 }
 
 }  // namespace epure

@@ -31,7 +31,7 @@ void name_inflection_circle(Plot& plot, const Rolled& f, Language language) {
   const Arrow2 left = geometry::quarter_turn(centre - f.P0);
   const Place beside = centre + (dot(left, f.M - centre) > 0 ? -1.0 : 1.0) * left;
   if (plot.shows(beside))
-    plot.small_label(Words{"inflection circle", "cerchio dei flessi"}.in(language), beside, centre);
+    plot.small_label(Words{"inflection circle", "circonferenza dei flessi"}.in(language), beside, centre);
 }
 
 }  // namespace
@@ -50,6 +50,14 @@ RollingInstantPanel& RollingInstantPanel::titled(std::string title) {
 }
 RollingInstantPanel& RollingInstantPanel::measured_from(const Place& origin) {
   origin_ = origin;
+  return *this;
+}
+RollingInstantPanel& RollingInstantPanel::without_room_for_centre() {
+  leaves_out_centre_ = true;
+  return *this;
+}
+RollingInstantPanel& RollingInstantPanel::no_larger_than(double mm) {
+  largest_on_paper_ = mm;
   return *this;
 }
 RollingInstantPanel& RollingInstantPanel::with_path(const Way& way) {
@@ -91,7 +99,10 @@ double RollingInstantPanel::size() const {
 
 bool RollingInstantPanel::is_near(const Place& P) const { return distance(P, f_.M) <= far_off * size(); }
 
-double RollingInstantPanel::reach() const { return shows_ == Shows::contact ? 2 * f_.R : size(); }
+double RollingInstantPanel::reach() const {
+  constexpr double metre = 1000;  // mm
+  return shows_ == Shows::contact ? 2 * f_.R : metre / largest_on_paper_ * size();
+}
 
 Panel::Vectors RollingInstantPanel::vectors() const {
   if (shows_ == Shows::contact || magnitude(f_.a) == 0) return {};
@@ -133,7 +144,7 @@ drawings::Box RollingInstantPanel::extent(const Scale& lengths, const Scale& vec
   extent.include(lengths, f_.P0, letters_room);
   if (shows_ != Shows::contact) {
     extent.include(lengths, f_.M, letters_room);
-    for (const std::optional<Place>& P : {std::optional{f_.M_prime}, f_.centre})
+    for (const std::optional<Place>& P : {std::optional{f_.M_prime}, leaves_out_centre_ ? std::nullopt : f_.centre})
       if (P && is_near(*P)) extent.include(lengths, *P, letters_room);
     include_tip(f_.v, velocities_);
     for (const Arrow2& a : {f_.a, f_.a_n}) include_tip(a, vectors);
@@ -355,7 +366,7 @@ std::string RollingInstantPanel::off_sheet(const Plot& plot, const drawings::Box
   off.point("$J$", f_.J);
   off.point("$M'$", f_.M_prime);
   off.point("$Ω$", f_.centre);
-  off.circle({"part of the inflection circle", "parte del cerchio dei flessi"}, inflection_circle(f_));
+  off.circle({"part of the inflection circle", "parte della circonferenza dei flessi"}, inflection_circle(f_));
   if (f_.O()) off.circle({"part of $p$", "parte di $p$"}, circle_through(f_.P0, *f_.O()));
   std::string sentence = off.sentence(language);
   if (!sentence.empty() && !title_.empty()) sentence.insert(sentence.size() - 1, " (" + title_ + ")");
@@ -428,7 +439,13 @@ std::vector<PanelStep> RollingInstantPanel::steps(const Plot& plot, const drawin
     return f_.given.unwinds() && shows_ != Shows::contact ? middle(f_.P0, f_.M) : towards_centre(plot, room);
   };
   std::vector<PanelStep> all;
-  for (const InstantStep& step : steps_) all.push_back({step.text, place(step.at)});
+  const bool osculates = !f_.is_at_cusp && !f_.given.unwinds() && f_.centre && is_in(room, plot, *f_.centre);
+  for (const InstantStep& step : steps_) {
+    all.push_back({step.text, place(step.at)});
+    if (osculates && step.at == At::centre_of_curvature)
+      all.back().text =
+          step.text + Words{" Thin: the circle about it through $M$.", " Sottile: il suo cerchio per $M$."};
+  }
   return all;
 }
 

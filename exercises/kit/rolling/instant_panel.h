@@ -15,6 +15,10 @@ class RollingInstantPanel : public Panel {
 
   // A title above it.
   RollingInstantPanel& titled(std::string title);
+  // No smaller for the centre of curvature: the line from M leads to it, off the sheet too.
+  RollingInstantPanel& without_room_for_centre();
+  // Its bodies on the paper, where there is little to see of them.
+  RollingInstantPanel& no_larger_than(double mm);
   // Coordinates are measured from this place.
   RollingInstantPanel& measured_from(const Place& origin);
   // This much of the path, as far as there is room for it; or shown from end to end.
@@ -74,6 +78,8 @@ class RollingInstantPanel : public Panel {
   Way way_;
   std::vector<Place> whole_path_;
   Shows shows_ = Shows::all;
+  bool leaves_out_centre_ = false;
+  double largest_on_paper_ = 1000;  // mm
   bool has_own_scale_ = false, sets_out_ = false;
 };
 

@@ -28,7 +28,7 @@ Words inflection_pole(const Rolled& f) {
           "$J$ gli sta di fronte, $δ = P_{0}J = P_{0}O$."};
     default:
       return {
-          "The contact $P_{0}$ is the pole. $C$ goes about $O$: by Euler and Savary $P_{0}C^{2} = CO·CJ$ gives the "
+          "The contact $P_{0}$ is the pole. $C$ goes about $O$: by Euler-Savary $P_{0}C^{2} = CO·CJ$ gives the "
           "inflection pole $J$. $δ = P_{0}J$.",
           "Il contatto $P_{0}$ è il polo. $C$ ruota intorno a $O$: per la formula di Euler-Savary $P_{0}C^{2} = "
           "CO·CJ$ dà il polo dei flessi $J$. $δ = P_{0}J$."};
@@ -70,20 +70,21 @@ std::vector<InstantStep> at_cusp(const Rolled& f) {
 Words foot_step(const Rolled& f) {
   if (f.runs_straight())
     return {"$M$ is on the inflection circle, always: $M' ≡ M$, its path is a diameter, $\\vec{a}^{n}_{M}$ = 0.",
-            "$M$ è sempre sul cerchio dei flessi: $M' ≡ M$, la traiettoria è un diametro, $\\vec{a}^{n}_{M}$ = 0."};
+            "$M$ è sempre sulla circonferenza dei flessi: $M' ≡ M$, la traiettoria è un diametro, $\\vec{a}^{n}_{M}$ "
+            "= 0."};
   const std::string to_contact = "$M' ≡ P_{0}$, $a^{n}_{M} = " + f.names.omega + "^{2}·MP_{0}$.",
                     to_foot = "$a^{n}_{M} = " + f.names.omega + "^{2}·MM'$.";
   if (f.given.unwinds())
     return {"The ray $P_{0}M$ touches the inflection circle at $P_{0}$: " + to_contact,
-            "Il raggio $P_{0}M$ è tangente al cerchio dei flessi in $P_{0}$: " + to_contact};
+            "Il raggio $P_{0}M$ è tangente alla circonferenza dei flessi in $P_{0}$: " + to_contact};
   return {"The foot of the perpendicular from $J$ to the ray $P_{0}M$ is $M'$, on the inflection circle: " + to_foot,
-          "Il piede della normale da $J$ sul raggio $P_{0}M$ è $M'$, sul cerchio dei flessi: " + to_foot};
+          "Il piede della normale da $J$ sul raggio $P_{0}M$ è $M'$, sulla circonferenza dei flessi: " + to_foot};
 }
 
 Words curvature_step(const Rolled& f) {
   if (!f.centre)
     return {"$M$ is on the inflection circle: the path is straight here, $Ω$ is at infinity.",
-            "$M$ è sul cerchio dei flessi: la traiettoria qui è diritta, $Ω$ è all'infinito."};
+            "$M$ è sulla circonferenza dei flessi: la traiettoria qui è diritta, $Ω$ è all'infinito."};
   if (f.given.unwinds())
     return {"$P_{0}M^{2} = ρ·MM'$: $ρ = P_{0}M$, the centre of curvature is $Ω ≡ P_{0}$.",
             "$P_{0}M^{2} = ρ·MM'$: $ρ = P_{0}M$, il centro di curvatura è $Ω ≡ P_{0}$."};

@@ -61,7 +61,7 @@ TEST_CASE("cycloid and involute: what the sheets show is right, whatever is give
 
 TEST_CASE("cycloid and involute: a ruler on the file reads the value of every vector", "[cycloid-involute][sheets]") {
   const CheckedExercise result = both().checked({});
-  for (const char* name : {"cycloid.v_M", "cycloid.a_M", "cycloid.a_n", "cycloid.a_t", "cycloid.rho_M", "cycloid.P0M",
+  for (const char* name : {"cycloid.v_M", "cycloid.a_M", "cycloid.a_n", "cycloid.a_t", "cycloid.P0M",
                            "cycloid.a_M_at_s4", "involute.v_M_t1", "involute.a_n_t2", "involute.a_t_t2",
                            "involute.P0M_t1", "involute.arc_length_t2", "cycloid.t_at_s4"}) {
     CAPTURE(name);
@@ -274,4 +274,13 @@ TEST_CASE("cycloid and involute: the angular velocity has the letters it is give
   CHECK(has_label(involute, "$ω_{2}$"));
   CHECK_THAT(words_of(involute), Contains("ω_{2}^{2}") && !Contains("ω^{2}"));
   CHECK(involute.sheet.title_block.scales.at(2) == "1 cm ≙ 100 m/s");  // 5 mm of v_M before
+}
+
+TEST_CASE(
+    "cycloid and involute: the instant with the steps is larger than the cusp, its centre of curvature off the sheet",
+    "[cycloid-involute][sheets]") {
+  const DrawnSheet drawn = both().draw("cycloid-instants", {});
+  CHECK(drawn.sheet.title_block.scales.at(0) == "1 : 10");
+  CHECK(drawn.sheet.title_block.scales.at(1) == "1 : 20");
+  CHECK(has_label(drawn, "to $Ω$"));
 }

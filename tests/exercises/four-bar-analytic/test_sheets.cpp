@@ -1,4 +1,5 @@
 // N.10's sheets: drawn whatever is given, letters apart, and the files measured back.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -45,6 +46,13 @@ int numbered(const DrawnSheet& drawn, int number) {
   for (const drawings::Label& label : drawn.sheet.figure.labels)
     times += (", " + label.text + ",").find(", " + std::to_string(number) + ",") != std::string::npos ? 1 : 0;
   return times;
+}
+
+bool tells(const DrawnSheet& drawn, const std::string& words) {
+  return std::any_of(drawn.sheet.column.begin(), drawn.sheet.column.end(), [&](const drawings::Block& block) {
+    const auto* paragraph = std::get_if<drawings::Paragraph>(&block);
+    return paragraph && paragraph->text.find(words) != std::string::npos;
+  });
 }
 
 // The paragraph of the column that names what the border leaves out.
@@ -203,11 +211,11 @@ TEST_CASE("four-bar-analytic: the coupler curve passes where the linkage carries
 
 TEST_CASE("four-bar-analytic: positions of A, B and P bear their numbers", "[four-bar-analytic][sheets]") {
   const DrawnSheet drawn = draw(id, "coupler-curve", {});
-  for (int k = 0; k < 12; ++k) CHECK(numbered(drawn, k) == 4);  // those of P in the close-up too
-  CHECK(written(drawn, "6, 10") == 1);                          // the rocker comes by twice
+  for (int k = 0; k < 12; ++k) CHECK(numbered(drawn, k) == 2);  // of A, and of P in the close-up
+  CHECK(written(drawn, "6', 10'") == 1);                        // the rocker comes by twice
   // The triple rocker misses some divisions of the crank's circle.
   const DrawnSheet some = draw(id, "coupler-curve", {"A0A=0.6"});
-  CHECK(numbered(some, 1) >= 3);
+  CHECK(numbered(some, 1) >= 2);
   CHECK(numbered(some, 6) == 0);
 }
 
@@ -285,4 +293,15 @@ TEST_CASE("four-bar-analytic: the parts of a_A that are told are drawn", "[four-
     CHECK(written(steady, part) == 0);
     CHECK(written(faster, part) == 1);
   }
+}
+
+TEST_CASE("four-bar-analytic: positions of B are primed, those of P numbered on the larger picture",
+          "[four-bar-analytic][sheets]") {
+  const DrawnSheet drawn = draw(id, "coupler-curve", {});
+  for (const char* number : {"0'", "3'", "8'"}) CHECK(written(drawn, number) == 1);
+  CHECK(written(drawn, "8") == 2);  // of A, and of P
+  const Assignments change_point{"A0B0=0.4", "A0A=0.6", "AB=0.7", "B0B=0.5", "AP_across=0.4", "phi=80"};
+  CHECK(tells(draw(id, "coupler-curve", change_point), "the path has a corner"));
+  CHECK_FALSE(tells(drawn, "the path has a corner"));
+  CHECK(tells(drawn, "at $P_{∥}$ from $A$"));
 }

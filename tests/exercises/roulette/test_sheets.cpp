@@ -238,3 +238,18 @@ TEST_CASE("roulette: an inflection circle many times the bodies runs off the she
   CHECK_THAT(words_of(roulette().draw("instant", {})), Contains("Off the sheet: part of $p$."));
   CHECK(is_written(roulette().draw("instant", {}), "$p$"));
 }
+
+TEST_CASE("roulette: the points of M's arch have the numbers of their contacts", "[roulette][sheets]") {
+  const auto times = [](const Assignments& assignments, const std::string& number) {
+    const auto& labels = roulette().draw("path", assignments).sheet.figure.labels;
+    return std::count_if(labels.begin(), labels.end(), [&](const auto& label) { return label.text == number; });
+  };
+  for (int n = 1; n < 12; ++n) {
+    CAPTURE(n);
+    CHECK(times({}, std::to_string(n)) == 2);
+    CHECK(times({"how=circle_on_line"}, std::to_string(n)) == 2);
+    CHECK(times({"r=0.31", "R=0.19", "d=0.5", "phi=1000"}, std::to_string(n)) == 0);  // more than once round p
+  }
+  CHECK_THAT(words_of(roulette().draw("path", {})), Contains("the number of their contact on $p$"));
+  CHECK_THAT(words_of(roulette().draw("path", {"how=line_on_circle"})), !Contains("the number of their contact"));
+}

@@ -117,6 +117,23 @@ TEST_CASE("letters find room on all sheets", "[truss][sheets]") {
                               {"shape=warren", "n=6"},
                               {"shape=pratt", "n=6"},
                               {"shape=howe", "n=6"},
+                              {"shape=howe", "n=8", "L=24", "W=300"},
                               {"shape=bracket", "L=3", "h=2"},
                               {"shape=crane", "L=6", "h=4"}});
+}
+
+// Else the numbers of the bars would cover the letters of the regions.
+TEST_CASE("bars of small regions have numbers without signs, which the column says", "[truss][sheets]") {
+  const auto is_written = [](const DrawnSheet& drawn, const std::string& text) {
+    const auto& labels = drawn.sheet.figure.labels;
+    return std::any_of(labels.begin(), labels.end(), [&](const auto& label) { return label.text == text; });
+  };
+  const Assignments small{"shape=howe", "n=8", "L=24", "W=300"};
+  const DrawnSheet usual = truss().draw("plan", {}), crowded = truss().draw("plan", small);
+  CHECK(is_written(usual, "1 +"));
+  CHECK(is_written(crowded, "11"));
+  CHECK_FALSE(is_written(crowded, "11 +"));
+  CHECK(is_written(truss().draw("forces", small), "11 +"));
+  CHECK_THAT(told_on(truss(), "plan", small), Contains("no room for + and −"));
+  CHECK_THAT(told_on(truss(), "plan", {}), !Contains("no room for"));
 }
