@@ -53,7 +53,7 @@ void press(FreeBodyPanel& panel, const Case& of, const PolygonSide& R, const Pla
 }
 
 Words other_lines(const std::string& english, const std::string& italian) {
-  return {"Retrograde motion: forces turned the other way, dashed on the bodies, with " + english + ".",
+  return {"Retrograde motion: forces turned the other way, dashed on bodies, with " + english + ".",
           "Moto retrogrado: forze ruotate dall'altra parte, a tratti sui corpi, con " + italian + "."};
 }
 std::string prime(const std::string& suffix) { return suffix == retrograde ? "'" : ""; }

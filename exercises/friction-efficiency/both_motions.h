@@ -28,8 +28,8 @@ std::string turned_from(const std::string& normal, Language language);
 void press(FreeBodyPanel& panel, const Case& of, const PolygonSide& R, const Place& X, double normal, const Arrow2& v,
            const std::string& ji, const std::string& letters_of_normal = {});
 
-inline const Words the_other_way{"Retrograde motion: the forces turned the other way.",
-                                 "Moto retrogrado: le forze ruotate dall'altra parte."};
+inline const Words the_other_way{"Retrograde motion: forces turned the other way.",
+                                 "Moto retrogrado: forze ruotate dall'altra parte."};
 // The same where lines of action are to be found anew.
 Words other_lines(const std::string& english, const std::string& italian);
 // What the retrograde motion has in place of something.
@@ -67,14 +67,14 @@ ChainedPolygonsPanel polygons(const Case& of, const Chain& chain, const std::str
 
 // What the friction angles are at which it ends to work.
 inline const Words locks_from{"From $φ_{R}$ on it locks.", "Da $φ_{R}$ in poi è irreversibile."},
-    locks_from_and_jams{"From $φ_{R}$ on it locks, at $φ_{D}$ it jams.",
-                        "Da $φ_{R}$ in poi è irreversibile, a $φ_{D}$ s'impunta."};
+    locks_from_and_jams{"From $φ_{R}$ it locks, at $φ_{D}$ it jams.",
+                        "Da $φ_{R}$ è irreversibile, a $φ_{D}$ s'impunta."};
 
 std::vector<Result> efficiencies(const Case& of, const std::string& effort, Language language);
 inline const Words turned_against{
-    "Body $j$ slides on $i$ as $\\vec{v}_{ji}$ shows; the force on it is turned by $φ$ against that. Dashed "
-    "polygons: without friction.",
-    "Il corpo $j$ striscia su $i$ come mostra $\\vec{v}_{ji}$; la forza su di esso è ruotata di $φ$ in verso "
-    "contrario. Poligoni a tratti: senza attrito."};
+    "The force on $j$ is turned by $φ$ against its sliding on $i$, $\\vec{v}_{ji}$. Dashed polygons: no "
+    "friction.",
+    "La forza su $j$ è ruotata di $φ$ contro il suo strisciamento su $i$, $\\vec{v}_{ji}$. Poligoni a tratti: "
+    "senza attrito."};
 
 }  // namespace epure::friction_efficiency

@@ -31,7 +31,6 @@ PanelSheet double_slider(const Solution& s, Language language) {
     const Place other_T = of.place("on_" + X + retrograde);
     const Arrow2 other_R = of.vector("R_32" + retrograde);
     if (magnitude(other_R) == 0 || is_zero(s.givens().angle("phi"))) return panel;
-    panel.otherwise("", "", {}, {{other_T, other_R}});
     panel.line_to(other_T, other_T + reaches / magnitude(other_R) * other_R, t(retrograde));
     return panel;
   };
@@ -64,10 +63,10 @@ PanelSheet double_slider(const Solution& s, Language language) {
   FreeBodyPanel whole(double_slider_figure(of, Origin::none));
   whole.to_scale().at_most(200).load(of.load("Q", "", ""), A).effort(of.known(P_of(direct), "", ""), B, Arrow::ends);
   FreeBodyPanel on_A = detail("A", R_32), on_B = detail("B", R_34);
-  on_A.step({"The link's force runs along $t$, touching both friction circles, $ρ$ = $r$ sin $φ$, against the pins' "
-             "turning, in the retrograde motion along $t'$; sin $δ$ = 2$ρ$/$l$.",
+  on_A.step({"The link's force, along $t$, touches both friction circles, $ρ$ = $r$ sin $φ$, against the pins' "
+             "turning (retrograde: $t'$); sin $δ$ = 2$ρ$/$l$.",
              "La forza dell'asta corre lungo $t$, tangente ai due cerchi d'attrito, $ρ$ = $r$ sen $φ$, in modo da "
-             "ostacolare i perni, nel moto retrogrado lungo $t'$; sen $δ$ = 2$ρ$/$l$."},
+             "ostacolare i perni (nel retrogrado $t'$); sen $δ$ = 2$ρ$/$l$."},
             of.place("on_A" + direct));
   std::vector<Result> results = efficiencies(of, "P", language);
   // P and the efficiencies the table tells, beside those with ideal hinges.

@@ -47,15 +47,11 @@ PanelSheet fairbairn(const Solution& s, const std::string& name, Language langua
   on_6.step(turned_against, D);
   on_4.to_scale().at_most(50).force(of.known(moving(force_between(1, 4), direct), "", ""), C, Arrow::ends);
   press(on_4, of, R_34, B, -of.radians("theta"), of.vector("v_43"), "43");
-  press(on_4, of, R_54, D, 0, of.vector("v_56"), "56");
+  on_4.force(R_54, D, Arrow::ends);  // its friction is on the ram
   if (shared)
     shared->draw_strings(on_4);
   else
-    on_4.meeting(of.name("H_direct"), "$H$", of.point("H_direct"))
-        .step(Words{"On the lever press " + R_54.label + " and " + R_34.label + ".",
-                    "Sulla leva premono la " + R_54.label + " e la " + R_34.label + "."} +
-                  meet_in_H,
-              *of.point("H_direct"));
+    on_4.meeting(of.name("H_direct"), "$H$", of.point("H_direct")).step(meet_in_H, *of.point("H_direct"));
   const Arrow2 other_R_34 = of.vector("R_34" + retrograde);
   on_4.otherwise(of.name("H" + retrograde), "$H'$", of.point("H" + retrograde),
                  {{B, other_R_34}, {D, of.vector("R_56" + retrograde)}, {C, of.vector("R_14" + retrograde)}});

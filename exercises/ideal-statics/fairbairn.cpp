@@ -40,7 +40,7 @@ PanelSheet polygons(const Solution& s, const std::string& name) {
   const Words ram{
       "On the lever $\\vec{\\it{R}}_{54}$ = $\\vec{\\it{F}}$. Block 3 presses square to the lever, in $B$.",
       "Sulla leva $\\vec{\\it{R}}_{54}$ = $\\vec{\\it{F}}$. Il corsoio 3 preme in $B$, normale alla leva."};
-  on_4.step(shared ? ram : ram + meet_in_H, shared ? D : *H);
+  on_4.step(shared ? ram : ram + decimal(" ") + meet_in_H, shared ? D : *H);
   if (shared) shared->draw_strings(on_4);
   on_2.moments({"Crank: $\\vec{\\it{R}}_{32}$ and $\\vec{\\it{R}}_{12}$ are a couple with the arm $d$; $\\it{M}$ = "
                 "$\\it{R}_{32}$·$d$.",

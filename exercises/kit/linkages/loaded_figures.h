@@ -225,8 +225,10 @@ inline Place end_of_lever(const Case& of) {
 inline Place end_of_ram(const Case& of) { return of.place("D") + of.given("AB") * Arrow2{1, 0}; }
 
 // Of the forces on the lever but its hinge's.
-inline const Words meet_in_H{" The two meet in $H$; $\\vec{\\it{R}}_{14}$ runs through $C$ and $H$.",
-                             " Le due si incontrano in $H$; la $\\vec{\\it{R}}_{14}$ passa per $C$ e $H$."};
+inline const Words meet_in_H{
+    "$\\vec{\\it{R}}_{54}$ and $\\vec{\\it{R}}_{34}$ meet in $H$; $\\vec{\\it{R}}_{14}$ runs along $CH$.",
+    "La $\\vec{\\it{R}}_{54}$ e la $\\vec{\\it{R}}_{34}$ si incontrano in $H$; la $\\vec{\\it{R}}_{14}$ passa per "
+    "$C$ e $H$."};
 
 inline FreeBodyPanel lever_cut_free(const Case& of) {
   Mechanism drawn;
