@@ -44,9 +44,10 @@ Quantity rocker_angle() {
 }
 Quantity in(Configuration of, const Quantity& quantity) {
   if (of == Configuration::chosen) return quantity;
-  const auto& [name, symbol, unit, meaning] = quantity;
-  return {name + "_other_branch", symbol.substr(0, symbol.size() - 1) + "'$", unit,
-          meaning + Words{", other configuration", ", altra configurazione"}};
+  Quantity other = quantity.meaning_that(quantity.meaning + Words{", other configuration", ", altra configurazione"});
+  other.name += "_other_branch";
+  other.symbol.insert(other.symbol.size() - 1, "'");
+  return other;
 }
 
 Explanation cut_off(std::function<double()> value, int decimals) {
