@@ -271,7 +271,7 @@ class Writer {
     body_ += ' ';
     add_whole(body_, std::lround(at.y * steps_per_point));
     body_ += ") scale(";
-    add_decimal(body_, text.size * steps_per_mm / units_per_em, 5);
+    add_decimal(body_, text.size * steps_per_mm / units_per_em, 4);
     body_ += ")\">";
   }
 
@@ -280,9 +280,14 @@ class Writer {
     body_ += "<text fill-opacity=\"0\"";
     add_coordinate(body_, 'x', at.x);
     add_coordinate(body_, 'y', at.y);
-    body_ += " textLength=\"";
-    add_whole(body_, length);
-    body_ += "\">";
+    // Another font sets a letter or two nearly as wide; of longer words what is marked would drift off the letters.
+    constexpr std::size_t short_of_bytes = 2;
+    if (words.size() > short_of_bytes) {
+      body_ += " textLength=\"";
+      add_whole(body_, length);
+      body_ += '"';
+    }
+    body_ += '>';
     add_escaped(body_, words);
     body_ += "</text>";
   }

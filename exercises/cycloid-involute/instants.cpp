@@ -124,7 +124,10 @@ PanelSheet cycloid_instants_sheet(const Solution& s, Language language) {
   const Rolled first = rolled(s, {of.wheel(), of.phi, of.omega_1, {}}, at_phi),
                second = rolled(s, {of.wheel(), {arches, Rational(std::max(since, 0.0))}, of.omega_1, {}}, at_s);
   const Scale velocities = scale_of_velocities({first, second}, longest_velocity, language);
-  const std::string at_first = "$φ$ = " + short_number(geometry::degrees(of.phi), language) + "°",
+  const bool is_in_radians = of.phi.radians != 0;
+  const std::string at_first = is_in_radians
+                                   ? "$φ$ = " + short_number(CGAL::to_double(of.phi.radians), language) + " rad"
+                                   : "$φ$ = " + short_number(geometry::degrees(of.phi), language) + "°",
                     at_second = "$s$ = " + short_number(CGAL::to_double(of.s), language) + " m";
   const bool has_cusp = first.is_at_cusp || second.is_at_cusp;
   std::vector<Result> results{instants_table({at_first, at_second}, {at_phi, at_s}, "", "", has_cusp)};
