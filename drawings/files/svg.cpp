@@ -271,7 +271,7 @@ class Writer {
     body_ += ' ';
     add_whole(body_, std::lround(at.y * steps_per_point));
     body_ += ") scale(";
-    add_decimal(body_, text.size * steps_per_mm / units_per_em, 4);
+    add_decimal(body_, text.size * steps_per_mm / units_per_em, 5);
     body_ += ")\">";
   }
 

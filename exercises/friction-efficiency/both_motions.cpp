@@ -53,8 +53,8 @@ void press(FreeBodyPanel& panel, const Case& of, const PolygonSide& R, const Pla
 }
 
 Words other_lines(const std::string& english, const std::string& italian) {
-  return {"Retrograde motion: forces turned the other way, dashed, with " + english + ".",
-          "Moto retrogrado: forze ruotate all'opposto, a tratti, con " + italian + "."};
+  return {"Retrograde motion: forces turned the other way, dashed: " + english + ".",
+          "Moto retrogrado: forze volte all'opposto, a tratti: " + italian + "."};
 }
 std::string prime(const std::string& suffix) { return suffix == retrograde ? "'" : ""; }
 std::string below_prime(const std::string& index, const std::string& suffix) {

@@ -39,7 +39,7 @@ class CentresPanel : public Panel {
         joints_(std::move(joints)) {}
 
   double reach() const override { return mechanism_->reach(); }
-  double times_smaller() const override { return 1.5; }
+  double times_smaller() const override { return 2.6; }  // one standard scale
   drawings::Box extent(const Scale& lengths, const Scale& vectors) const override;
   drawings::Box extent_of_near(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
