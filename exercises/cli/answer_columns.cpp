@@ -28,8 +28,9 @@ HeadedBy heading_of(const std::string& column) {
 }
 
 constexpr std::size_t scale_and_blank = 6;  // "scale ", "scala "
-bool heads_scale(const std::string& head) {
+bool heads_scale(const std::string& typed) {
   const std::array<std::string_view, 2> names{"scale", "scala"};
+  const std::string head = lower_case(typed);
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
     return head == name || head.starts_with(std::string(name) + "_") || head.starts_with(std::string(name) + " ");
   });
@@ -125,7 +126,9 @@ class ColumnReader {
       found_.sheets.push_back({column, sheet->name, ""});
       return;
     }
-    const HeadedBy heading = heading_of(typed);
+    // Letters may end in parentheses of their own, "x(13 s)".
+    const bool is_all_letters = quantity(ascii_name(typed, quantity_names_)) != nullptr;
+    const HeadedBy heading = is_all_letters ? HeadedBy{typed, {}} : heading_of(typed);
     const GivenSpec* as_given = given(heading.name);
     const Quantity* as_quantity = quantity(ascii_name(heading.name, quantity_names_));
     if (as_given && as_quantity && !means_given(heading, *as_given, column)) as_given = nullptr;

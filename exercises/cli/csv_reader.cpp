@@ -51,18 +51,21 @@ std::string_view without_outer_blanks(std::string_view text) {
   return text;
 }
 
-// What divides the fields of the header: what stands most often outside of its quotes.
+// What divides the fields of the header, the first line that is not empty: what stands most often outside of its
+// quotes; where a comma stands as often, as in "l,max", the other.
 char separator_of(std::string_view text) {
-  const std::string_view all = ",;\t";
+  const std::string_view all = ";\t,";
   std::array<int, 3> counts = {};
   bool is_quoted = false;
+  text.remove_prefix(std::min(text.find_first_not_of(" \r\n"), text.size()));
   for (const char c : text) {
     if (c == '"') is_quoted = !is_quoted;
     if (is_quoted) continue;
     if (c == '\n' || c == '\r') break;
     if (const auto which = all.find(c); which != std::string_view::npos) ++counts.at(which);
   }
-  return all[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
+  const auto most = std::max_element(counts.begin(), counts.end());
+  return *most == 0 ? ',' : all[static_cast<std::size_t>(most - counts.begin())];
 }
 
 // Takes rows off the front of a text.

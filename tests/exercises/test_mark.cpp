@@ -140,6 +140,8 @@ TEST_CASE("the tolerance is that of the sheet, of the scale said, of the student
     CHECK(cell_of("c;scale\n0,5025;" + own + "\n", "c verdict", {"--scale", "1:50"}) == "right");
     CHECK(cell_of("c;scale\n0,503;" + own + "\n", "c verdict", {"--scale", "1:50"}) == "wrong");
   }
+  for (const char* head : {"Scale", "SCALA", "Scala lunghezze"})
+    CHECK(cell_of("c;" + std::string(head) + "\n0,5025;1:5\n", "c verdict", {"--scale", "1:50"}) == "right");
   // A scale of velocities is none of lengths; one that cannot be read is said, and left out.
   CHECK(cell_of("c;scale_velocity\n0,51;1 cm = 2 m/s\n", "c verdict") == "right");
   CHECK(cell_of("c;scale_velocity\n0,53;1 cm = 2 m/s\n", "c verdict") == "wrong");

@@ -148,6 +148,16 @@ TEST_CASE("a wrong direction is nobody's multiple, and neither is what could as 
     CHECK(verdict_on("v_B", any, {"--set", "phi=0.1deg"}).starts_with("wrong; "));
 }
 
+TEST_CASE("a column is known by letters that end in parentheses") {
+  const Scratch scratch;
+  std::ofstream("one.csv") << "number;x(13 s);x(13 s) [mm]\n1;1;1\n";
+  CHECK(run_on_all({"mark", "oscillator-pendulum", "--answers", "one.csv"}).err.find("two columns for") !=
+        std::string::npos);
+  std::ofstream("one.csv") << "number;x(13 s)\n1;1\n";
+  CHECK(tells(run_on_all({"mark", "oscillator-pendulum", "--answers", "one.csv", "--format", "csv"}).out,
+              "oscillator.x_at_13 verdict"));
+}
+
 TEST_CASE("what stands for no answer, and how sure an answer is") {
   const Scratch scratch;
   for (const char* none : {"assente", "#N/D", "absent"}) CHECK(verdict_on("v_B", none) == "no answer; ");
