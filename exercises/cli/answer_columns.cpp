@@ -127,10 +127,10 @@ class ColumnReader {
       return;
     }
     // Letters may end in parentheses of their own, "x(13 s)".
-    const bool is_all_letters = quantity(ascii_name(typed, quantity_names_)) != nullptr;
-    const HeadedBy heading = is_all_letters ? HeadedBy{typed, {}} : heading_of(typed);
+    const Quantity* as_quantity = quantity(ascii_name(typed, quantity_names_));
+    const HeadedBy heading = as_quantity ? HeadedBy{typed, {}} : heading_of(typed);
+    if (!as_quantity) as_quantity = quantity(ascii_name(heading.name, quantity_names_));
     const GivenSpec* as_given = given(heading.name);
-    const Quantity* as_quantity = quantity(ascii_name(heading.name, quantity_names_));
     if (as_given && as_quantity && !means_given(heading, *as_given, column)) as_given = nullptr;
     if (!as_given && !as_quantity) {
       demand_far(typed, heading.name);

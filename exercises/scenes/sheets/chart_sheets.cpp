@@ -146,20 +146,13 @@ class ChartOfScene {
   }
 
   bool is_broken() const {
-    return std::any_of(samples_->begin(), samples_->end(), [&](const Sample& sample) {
-      return std::any_of(names_.begin(), names_.end(),
-                         [&](const std::string& name) { return !sample.values.contains(name); });
-    });
+    return anywhere([](const Enclosure* value) { return !value; });
   }
 
   // Where a curve runs on beyond all that the others need.
   bool is_cut() const {
-    return std::any_of(samples_->begin(), samples_->end(), [&](const Sample& sample) {
-      return std::any_of(names_.begin(), names_.end(), [&](const std::string& name) {
-        const auto found = sample.values.find(name);
-        return found != sample.values.end() && (found->second.value < span_.low || found->second.value > span_.high);
-      });
-    });
+    return anywhere(
+        [&](const Enclosure* value) { return value && (value->value < span_.low || value->value > span_.high); });
   }
 
   drawings::Chart chart(const Built& built, Language language) const {
@@ -232,6 +225,16 @@ class ChartOfScene {
   }
 
  private:
+  // Of the values of all curves at all places; null where there is none.
+  template <class Is>
+  bool anywhere(const Is& is) const {
+    return std::any_of(samples_->begin(), samples_->end(), [&](const Sample& sample) {
+      return std::any_of(names_.begin(), names_.end(), [&](const std::string& name) {
+        const auto found = sample.values.find(name);
+        return is(found == sample.values.end() ? nullptr : &found->second);
+      });
+    });
+  }
   static std::vector<std::string> all_of(const std::vector<std::vector<std::string>>& charts) {
     std::vector<std::string> all;
     for (const auto& names : charts)

@@ -133,7 +133,6 @@ class MotionWriter {
   // Two moving wheels have one velocity where they touch.
   void add_meshing(const GearedWheel& wheel, int other) {
     const std::string P = centre(wheel.link, other);
-    const Words where = numbers_.of("instant-centres");
     const auto about = [&](int link) -> std::string {
       for (const LinkPoint& p : linkage().links[index(link)].points)
         if (is_fixed(p.point)) return letters(p.point);
@@ -144,7 +143,7 @@ class MotionWriter {
           {format_words("Both wheels have one velocity at ${0}$: |{1}|·${2}{0}$ = |{3}|·${4}{0}$",
                         "Le due ruote hanno in ${0}$ la stessa velocità: |{1}|·${2}{0}$ = |{3}|·${4}{0}$", P,
                         omega(wheel.link), about(wheel.link), omega(other), about(other)) +
-           (where.empty() ? Words{".", "."} : format_words(" (${}$: {}).", " (${}$: {}).", P, where))});
+           found_on_sheet(P)});
     for (const int X : others_of(wheel.link, wheel.hinge))
       if (!is_of_velocities_)
         add_acceleration_about(wheel.hinge, X, wheel.link);
@@ -156,12 +155,16 @@ class MotionWriter {
     if (on == 0) return add_about_touching(wheel.link, wheel.hinge, on);
     if (is_fixed(wheel.hinge) && alike_.turn_alike(index(on), 0)) add_turned_by_rack(wheel, on);
   }
+  // The end of a sentence on a centre: " (P_25: sheet 6)."
+  Words found_on_sheet(const std::string& centre) const {
+    const Words where = numbers_.of("instant-centres");
+    return where.empty() ? Words{".", "."} : format_words(" (${}$: {}).", " (${}$: {}).", centre, where);
+  }
   // All points of the rack move as the one at the pitch line does.
   void add_turned_by_rack(const RolledWheel& wheel, int rack) {
     const auto& points = linkage().links[index(rack)].points;
     if (points.empty()) return;
     const std::string P = centre(rack, wheel.link);
-    const Words where = numbers_.of("instant-centres");
     steps_.push_back(
         {format_words(
              "Link {0} only slides, and link {1} rolls on ${2}$ at ${3}$: |{4}| = {5} / ${3}{6}$",
@@ -169,7 +172,7 @@ class MotionWriter {
              number(rack), number(wheel.link),
              point_letters(built_.letters.lines[index(linkage().rolls[index(wheel.roll)].line)]), P, rate(wheel.link),
              vector(points.front().point).length().symbol, letters(wheel.hinge)) +
-         (where.empty() ? Words{".", "."} : format_words(" (${}$: {}).", " (${}$: {}).", P, where))});
+         found_on_sheet(P)});
     for (const int X : others_of(wheel.link, wheel.hinge))
       if (is_of_velocities_)
         add_velocity_about(letters(wheel.hinge), X, wheel.link);
