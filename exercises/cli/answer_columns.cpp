@@ -74,10 +74,12 @@ bool begins_with(const std::string& head, const std::string& name) {
 class ColumnReader {
  public:
   ColumnReader(const Exercise& exercise, const CsvTable& table, TableRole role, AnswerColumns& found)
-      : about_(exercise.about()), table_(table), role_(role), found_(found), given_names_(given_names(exercise)) {
-    for (const Quantity& each : about_.quantities())
-      quantity_names_.push_back({each.name, unicode_symbol(each.symbol)});
-  }
+      : about_(exercise.about()),
+        table_(table),
+        role_(role),
+        found_(found),
+        given_names_(given_names(exercise)),
+        quantity_names_(quantity_names(about_.quantities())) {}
 
   void read() {
     found_.numbers = column_of_numbers(table_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "drawings/text/text.h"
 #include "exercises/cli/symbol.h"
 #include "exercises/kit/statement/suggest.h"
 #include "exercises/scenes/shipped.h"
@@ -78,6 +79,15 @@ void demand_an_owner(const std::vector<const Exercise*>& exercises, const std::s
 const Words& title_of_sheet(const Exercise& exercise, const std::string& sheet) {
   const std::vector<SheetSpec>& all = exercise.about().sheets;
   return std::find_if(all.begin(), all.end(), [&](const SheetSpec& each) { return each.name == sheet; })->title;
+}
+
+std::vector<NameAndLetters> quantity_names(const std::vector<Quantity>& quantities) {
+  std::vector<NameAndLetters> all;
+  for (const Quantity& each : quantities) {
+    all.push_back({each.name, unicode_symbol(each.symbol)});
+    all.push_back({each.name, drawings::plain(each.symbol)});
+  }
+  return all;
 }
 
 std::vector<NameAndLetters> given_names(const Exercise& exercise) {

@@ -27,6 +27,9 @@ struct NameAndLetters {
 // letters belong to several names.
 std::string ascii_name(const std::string& typed, const std::vector<NameAndLetters>& known);
 
+// Of quantities, "ω₃" and, as one copies it from a sheet, "ω_3".
+std::vector<NameAndLetters> quantity_names(const std::vector<Quantity>& quantities);
+
 // The givens' names beside their letters, as plain text, and beside the other names they have.
 std::vector<NameAndLetters> given_names(const Exercise& exercise);
 

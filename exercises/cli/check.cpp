@@ -29,8 +29,7 @@ struct MeasuredText {
 std::vector<MeasuredText> measured_texts(const std::vector<const Exercise*>& exercises, const Options& options) {
   std::vector<NameAndLetters> known;
   for (const Exercise* exercise : exercises)
-    for (const Quantity& spec : exercise->about().quantities())
-      known.push_back({spec.name, unicode_symbol(spec.symbol)});
+    for (NameAndLetters& each : quantity_names(exercise->about().quantities())) known.push_back(std::move(each));
   std::vector<MeasuredText> texts;
   for (const std::string& typed : options.measured) {
     const auto equals = typed.find('=');

@@ -71,8 +71,9 @@ char separator_of(std::string_view text) {
 // Takes rows off the front of a text.
 class Records {
  public:
-  Records(std::string_view text, const std::string& file)
-      : rest_(text), file_(file), separator_(separator_of(text)) {}
+  Records(std::string_view text, const std::string& file) : rest_(text), file_(file), separator_(separator_of(text)) {
+    take_line_of_separator();
+  }
 
   bool is_at_end() const { return rest_.empty(); }
 
@@ -89,6 +90,15 @@ class Records {
   }
 
  private:
+  // "sep=;", which a spreadsheet writes before a table, or reads there.
+  void take_line_of_separator() {
+    constexpr std::string_view begin = "sep=";
+    const std::size_t end = begin.size() + 1;
+    if (!rest_.starts_with(begin) || rest_.size() <= end || (rest_[end] != '\n' && rest_[end] != '\r')) return;
+    separator_ = rest_[begin.size()];
+    rest_.remove_prefix(end);
+    end_line();
+  }
   bool take(char c) {
     if (!rest_.starts_with(c)) return false;
     rest_.remove_prefix(1);

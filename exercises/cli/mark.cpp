@@ -68,12 +68,9 @@ std::optional<Rational> best_mark(const Options& options) {
 // "v_B=2,omega_3=1", of quantities that are asked.
 std::map<std::string, Rational> points_asked(const Options& options, const std::vector<Quantity>& asked) {
   constexpr int most_points = 1000;
-  std::vector<NameAndLetters> known;
+  const std::vector<NameAndLetters> known = quantity_names(asked);
   std::vector<std::string> names;
-  for (const Quantity& each : asked) {
-    known.push_back({each.name, unicode_symbol(each.symbol)});
-    names.push_back(each.name);
-  }
+  for (const Quantity& each : asked) names.push_back(each.name);
   std::map<std::string, Rational> points;
   std::string rest = options.points.value_or("");
   while (!rest.empty()) {

@@ -34,7 +34,8 @@ std::vector<std::string> at_commas(const std::vector<std::string>& lists) {
   for (const std::string& list : lists) {
     std::string rest = list + ",";
     for (auto comma = rest.find(','); comma != std::string::npos; comma = rest.find(',')) {
-      items.push_back(rest.substr(0, comma));
+      const std::size_t first = std::min(rest.find_first_not_of(' '), comma);
+      items.push_back(rest.substr(first, comma - first));
       rest.erase(0, comma + 1);
     }
   }
@@ -42,12 +43,9 @@ std::vector<std::string> at_commas(const std::vector<std::string>& lists) {
 }
 
 std::vector<Quantity> quantities_asked_for(const Description& about, const Options& options) {
-  std::vector<NameAndLetters> names;
+  const std::vector<NameAndLetters> names = quantity_names(about.quantities());
   std::vector<std::string> known;
-  for (const Quantity& quantity : about.quantities()) {
-    names.push_back({quantity.name, unicode_symbol(quantity.symbol)});
-    known.push_back(quantity.name);
-  }
+  for (const Quantity& quantity : about.quantities()) known.push_back(quantity.name);
   if (options.quantities.empty()) {
     const std::size_t few = std::min<std::size_t>(known.size(), 2);
     std::string some;

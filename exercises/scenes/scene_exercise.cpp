@@ -46,6 +46,13 @@ std::vector<Quantity> quantities_of(const Scene& scene) {
   return all;
 }
 
+// What the file says in place and not among its givens: whoever is to solve a sheet needs it too.
+Words said_in_place(const Scene& scene, const Givens& givens) {
+  Words all;
+  for (const Words& each : scene.built(givens).in_place) all = all + (all.empty() ? "" : ", ") + each;
+  return all;
+}
+
 // Its letters are explained in full where the scene begins.
 void add_legends(std::vector<SheetMaker>& sheets, const std::shared_ptr<const Scene>& scene,
                  const SheetNumbers& numbers) {
@@ -55,6 +62,7 @@ void add_legends(std::vector<SheetMaker>& sheets, const std::shared_ptr<const Sc
                                                                                   Language language) {
       PanelSheet sheet = make(s, language);
       sheet.legend = legend_of(*scene, first, language);
+      sheet.also_given = said_in_place(*scene, s.givens());
       return sheet;
     };
 }

@@ -8,6 +8,10 @@
 #include <sstream>
 #include <string_view>
 
+#include "geometry/numbers/unit_product.h"
+#include "geometry/numbers/unit_symbol.h"
+#include "words/quoted.h"
+
 namespace epure::geometry {
 
 namespace {
@@ -136,68 +140,6 @@ std::vector<Unit> make_units() {
       {"N s^2/m^2", Kind::mass_per_length, 1},  // of drag and lift: a force over the square of a speed
       {"kg/m", Kind::mass_per_length, 1},
   };
-}
-
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-}
-
-// "s^-2", "s-2" and "sec" of a product of units: the unit, and its power where that is negative.
-struct Factor {
-  std::string unit;
-  std::string power;  // "2" of s^-2; empty: not negative
-};
-Factor factor_of(std::string text) {
-  const std::size_t minus = text.find('-');
-  std::string power;
-  if (minus != std::string::npos && minus > 0 && minus + 1 < text.size() &&
-      text.find_first_not_of("0123456789", minus + 1) == std::string::npos) {
-    power = text.substr(minus + 1);
-    text.erase(text[minus - 1] == '^' ? minus - 1 : minus);
-  }
-  return {text, power};
-}
-
-// "m*s^-1" and "m s-1" as "m/s": what has a negative power stands behind the slash. Others stay as they are.
-std::string with_slash(const std::string& symbol) {
-  if (symbol.find('-') == std::string::npos) return symbol;
-  std::string above, below, rest = symbol;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find_first_of(" *"), rest.size());
-    const Factor factor = factor_of(rest.substr(0, end));
-    rest.erase(0, std::min(end + 1, rest.size()));
-    if (factor.unit.empty()) continue;
-    std::string& side = factor.power.empty() ? above : below;
-    side += (side.empty() ? "" : " ") + factor.unit + (factor.power.empty() || factor.power == "1" ? "" : "^") +
-            (factor.power == "1" ? "" : factor.power);
-  }
-  return below.empty() ? symbol : (above.empty() ? "1" : above) + "/" + below;
-}
-
-// As the list of units spells it: "m/s²", "m/s2", "m·s⁻²" and "m/sec^2" as "m/s^2".
-std::string spelled(std::string symbol) {
-  constexpr std::array<std::string_view, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  replace_all(symbol, "⁻", "^-");
-  for (std::size_t digit = 0; digit < raised.size(); ++digit) {
-    const std::string plain = std::to_string(digit);
-    replace_all(symbol, "^-" + std::string(raised[digit]), "^-" + plain);
-    replace_all(symbol, raised[digit], "^" + plain);
-  }
-  for (const std::string_view dot : {"·", "⋅", "∙"}) replace_all(symbol, dot, "*");
-  replace_all(symbol, "μ", "µ");  // the Greek letter, for the sign
-  symbol = with_slash(symbol);
-  replace_all(symbol, "sec", "s");
-  replace_all(symbol, "gradi", "deg");
-  if (symbol.ends_with("/s2") || symbol.ends_with("/s3") || symbol.ends_with("m2"))
-    symbol.insert(symbol.size() - 1, "^");
-  return symbol;
-}
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text.substr(0, 60)) result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-  return result + (text.size() > 60 ? "...\"" : "\"");
 }
 
 std::string units_like(const Unit& unit) {
@@ -336,8 +278,10 @@ class Reader {
 
   Unit unit_of(const std::string& symbol) const {
     if (symbol.empty()) return expected_;
-    if (spelled(symbol) == "1/s" && expected_.kind == Kind::angular_velocity)
-      refuse({"may be in turns or in radians per second", "può essere in giri o in radianti al secondo"},
+    const std::string spelled = spelled_unit(symbol);
+    if ((spelled == "1/s" && expected_.kind == Kind::angular_velocity) ||
+        (spelled == "1/s^2" && expected_.kind == Kind::angular_acceleration))
+      refuse({"may be in turns or in radians", "può essere in giri o in radianti"},
              accepted_units());
     const auto unit = find_unit(symbol);
     if (!unit) refuse_unknown(symbol);
@@ -370,6 +314,21 @@ class Reader {
   std::string_view rest_;
   const Unit& expected_;
 };
+
+// "kN m", "kg cm^2": a product of other units whose dimensions are those of a kind.
+std::optional<Unit> product_of_a_kind(const std::string& symbol) {
+  static const auto dimensions = [] {
+    std::vector<std::pair<UnitProduct::Powers, Kind>> all;
+    for (const Unit& known : known_units())
+      if (const auto product = unit_product(known.symbol)) all.emplace_back(product->powers, known.kind);
+    return all;
+  }();
+  const auto product = unit_product(symbol);
+  if (!product) return {};
+  const auto found = std::find_if(dimensions.begin(), dimensions.end(),
+                                  [&](const auto& each) { return each.first == product->powers; });
+  return found == dimensions.end() ? std::nullopt : std::optional(Unit{symbol, found->second, product->factor});
+}
 
 }  // namespace
 
@@ -433,7 +392,9 @@ std::string in_plain_characters(std::string text) {
                                                                       {"\u202F", ' '},
                                                                       {"\u2212", '-'},
                                                                       {"\u2013", '-'}}};
-  for (const auto& [character, plain] : printed) replace_all(text, character, std::string_view(&plain, 1));
+  for (const auto& [character, plain] : printed)
+    for (auto at = text.find(character); at != std::string::npos; at = text.find(character, at))
+      text.replace(at, character.size(), 1, plain);
   return text;
 }
 
@@ -447,10 +408,10 @@ const std::vector<Unit>& known_units() {
 }
 
 std::optional<Unit> find_unit(const std::string& symbol) {
-  const std::string wanted = symbol.empty() ? known_units().front().symbol : spelled(symbol);
+  const std::string wanted = symbol.empty() ? known_units().front().symbol : spelled_unit(symbol);
   const auto& units = known_units();
   const auto found = std::find_if(units.begin(), units.end(), [&](const Unit& u) { return u.symbol == wanted; });
-  return found == units.end() ? std::nullopt : std::optional(*found);
+  return found == units.end() ? product_of_a_kind(wanted) : std::optional(*found);
 }
 
 InUnit read_given(const std::string& text, const std::string& unit_of_the_given) {

@@ -250,3 +250,41 @@ TEST_CASE("attacked: what a sheet says of one dead centre, of a pole at infinity
   CHECK(tells(rack, "straight on the rack"));
   CHECK_FALSE(tells(rack, "Tip circle 2"));
 }
+
+// Sheets print them with raised digits and blanks, people with prefixes; V is 0.0096980965 m³ by mpmath.
+TEST_CASE("attacked: units of quantities that no given has are read as sheets print them") {
+  const Scratch scratch;
+  const auto marked = [](const std::string& id, const std::string& head, const std::string& answer) {
+    std::ofstream("answers.csv") << head << '\n' << answer << '\n';
+    return run_real({"mark", id, "--answers", "answers.csv", "--format", "csv"});
+  };
+  const auto verdict = [&](const std::string& id, const std::string& head, const std::string& answer) {
+    const Ran ran = marked(id, head, answer);
+    CAPTURE(head, answer, ran.err);
+    REQUIRE(ran.exit == 0);
+    return read_csv(ran.out, "marks").rows.at(0).cells.at(3);
+  };
+  CHECK(verdict("pump-flywheel", "V (m³)", "0.0096981") == "right");
+  CHECK(verdict("pump-flywheel", "V [cm^3]", "9698.1") == "right");
+  CHECK(verdict("pump-flywheel", "V", "9.6981 l") == "right");
+  CHECK(verdict("pump-flywheel", "V (m³)", "0.0097981") == "wrong");
+  CHECK(verdict("pump-flywheel", "V (m³)", "9698.1 cm3") == "right");
+  CHECK(verdict("boat-crane", "W_x1 (mm³)", "357858") == "right");
+  CHECK(verdict("boat-crane", "W_x1 (mm³)", "357.858e3") == "right");
+  for (const auto& [head, answer, why] :
+       {std::tuple{"V (cl)", "969.8", "\"1 cl\" ends in \"cl\", which is no unit of this program"},
+        {"V (m)", "969.8", "\"1 m\" ends in \"m\", which is no unit of what is asked; write a number in m^3"}}) {
+    const Ran ran = marked("pump-flywheel", head, answer);
+    CHECK(ran.exit == 2);
+    CAPTURE(ran.err);
+    CHECK(ran.err.find(why) != std::string::npos);
+  }
+  // And letters as they are copied from a sheet; how sure an answer is has the unit behind it.
+  CHECK(verdict("slider-crank-velocity", "ω_3 (rad/s)", "1000") == "wrong");
+  CHECK(verdict("slider-crank-velocity", "P_0B", "1000") == "wrong");
+  CHECK(verdict("oscillator-pendulum", "oscillator.beta", "500 ± 0.1 1/s") == "wrong");
+  CHECK(verdict("oscillator-pendulum", "oscillator.beta (1/s)", "500") == "wrong");
+  const Ran measured = run_real({"check", "crane-welds", "--measured", "q=5 furlongs"});
+  CHECK(measured.exit == 2);
+  CHECK(measured.err.find("\"furlongs\"") != std::string::npos);
+}

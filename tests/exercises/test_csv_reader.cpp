@@ -45,6 +45,9 @@ TEST_CASE("what divides fields is read off the header") {
   CHECK(table_of("number;l,max;l,min\n1;1,9;1,2\n").rows[0].cells == Cells{"1", "1,9", "1,2"});
   CHECK(table_of("Matricola;Cognome, Nome\n1;Rossi, Anna\n").header == Cells{"Matricola", "Cognome, Nome"});
   CHECK(table_of("\r\n \nnumber;name\n1;Anna\n").header == Cells{"number", "name"});
+  CHECK(table_of("sep=;\r\nnumber;l,max,m,n\r\n1;2\r\n").header == Cells{"number", "l,max,m,n"});
+  CHECK(table_of("sep=;\nnumber;v_B\n1;5,25\n").rows[0].line == 3);
+  CHECK(table_of("sep=;x\na;b\n").header == Cells{"sep=", "x"});
   CHECK(table_of("number,v_B\r1,2\r3,4").rows[1].cells == Cells{"3", "4"});
 }
 

@@ -1,5 +1,7 @@
 // Givens are read exactly or refused in one sentence.
 #include "geometry/numbers/given.h"
+
+#include "geometry/numbers/unit_product.h"
 #include "tests/support/catch.h"
 
 using namespace epure::geometry;
@@ -165,15 +167,16 @@ TEST_CASE("Bad givens are refused: the text, what is wrong, what would be accept
       {"1'000", "m", "point or comma", "1234.5"},
       {"274'", "m", "no unit", "m, cm, mm, km"},
       {"3m3", "m", "no unit", "m, cm, mm, km"},
-      {"3 m m", "m", "no unit", "m, cm, mm, km"},
+      {"3 m m", "m", "is an area where a length is asked", "m, cm, mm, km"},
       {"1/2/3", "m", "no unit", "m, cm, mm, km"},
       {"1/", "m", "no unit", "m, cm, mm, km"},
       {"5furlong", "m", "no unit", "m, cm, mm, km"},
       {"5 M", "m", "no unit", "m, cm, mm, km"},
       {"360rpm", "m", "an angular velocity where a length", "m, cm, mm, km"},
-      {"6 1/s", "rpm", "may be in turns or in radians per second", "rad/s"},
-      {"6 1/s", "rad/s", "may be in turns or in radians per second", "rpm"},
-      {"6 s\u207B\u00B9", "rad/s", "may be in turns or in radians per second", "rpm"},
+      {"6 1/s", "rpm", "may be in turns or in radians", "rad/s"},
+      {"6 1/s", "rad/s", "may be in turns or in radians", "rpm"},
+      {"6 s\u207B\u00B9", "rad/s", "may be in turns or in radians", "rpm"},
+      {"6 1/s^2", "rad/s^2", "may be in turns or in radians", "rev/s^2"},
       {"6 s-2", "m", "no unit", "m, cm, mm, km"},
       {"1'234.5", "m", "point or comma", "1234.5"},
       {"1.234,5", "m", "point or comma", "1234.5"},
@@ -236,6 +239,45 @@ TEST_CASE("Units of one kind convert exactly, but for π between them, there and
     }
   CHECK(conversion("rpm", "Hz") == Rational(1, 60));
   CHECK_FALSE(find_unit("ell"));
+}
+
+TEST_CASE("Products of units are known by their dimensions, also where no given has them") {
+  CHECK(parse_given("2 kN m", "N m") == 2000);
+  CHECK(parse_given("3 N·cm", "N m") == Rational(3, 100));
+  CHECK(parse_given("2 kg·cm²", "kg m^2") == Rational(2, 10000));
+  CHECK(parse_given("5 daN/mm^2", "MPa") == 50);
+  CHECK(parse_given("1 mm/m", "1") == Rational(1, 1000));
+  CHECK(parse_given("1 kg m s^-2", "N") == 1);
+  CHECK_FALSE(find_unit("m^3"));  // no given is a volume
+  struct Row {
+    const char *text, *same;
+    Rational times;
+  };
+  for (const Row& each : {Row{"cm³", "m^3", Rational(1, 1000000)},
+                          {"l", "m^3", Rational(1, 1000)},
+                          {"N m²", "N*m^2", 1},
+                          {"kN/m", "N/m", 1000},
+                          {"N/mm", "N/m", 1000},
+                          {"kg m/s", "N s", 1},
+                          {"N s/m", "kg/s", 1},
+                          {"Ns/m", "N*s/m", 1},
+                          {"MPa/m", "Pa/m", 1000000},
+                          {"J s", "N*m*s", 1},
+                          {"mm^2/s", "m^2/s", Rational(1, 1000000)},
+                          {"W/mm", "W/m", 1000},
+                          {"rad²/s²", "rad^2/s^2", 1},
+                          {"1/s²", "s^-2", 1}}) {
+    CAPTURE(each.text, each.same);
+    const auto one = unit_product(each.text), other = unit_product(each.same);
+    REQUIRE((one && other));
+    CHECK(one->powers == other->powers);
+    CHECK(one->factor == each.times * other->factor);
+  }
+  for (const char* none :
+       {"", "/", "mN", "cl", "m//s", "m/s/s", "m^", "m^12", "^2", "deg/s", "rpm m", "N+m", "0", "2"}) {
+    CAPTURE(none);
+    CHECK_FALSE(unit_product(none));
+  }
 }
 
 TEST_CASE("With π between, a number keeps the unit it was typed in") {

@@ -10,9 +10,11 @@
 namespace epure {
 
 // Names, title block, language and paper filled in; the column begins with the givens but for those that have no part
-// in this case, and the source says when these are not its own. The figure is empty.
+// in this case, and what is given beside them (rich text); the source says when these are not its own. The figure is
+// empty.
 DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const Givens& givens,
-                       const SheetRequest& request, const std::set<std::string>& without_part = {});
+                       const SheetRequest& request, const std::set<std::string>& without_part = {},
+                       const Words& also_given = {});
 
 // Where the panels may draw: the drawing area of the paper, or as much of it, at its lower left corner, as the
 // request has room for.

@@ -51,9 +51,14 @@ std::string without_uncertainty(const std::string& typed) {
       value.erase(0, 1);
       by.erase(close, 1);
     }
-    const auto end = by.find_first_not_of("0123456789.,/ ");
-    if (by.find_first_of("0123456789") > std::min(end, by.size())) return typed;  // no number follows the sign
-    const std::string unit = end == std::string::npos ? "" : by.substr(end);
+    const auto end_of_digits = [&](std::size_t from) {
+      return std::min(by.find_first_not_of("0123456789.,", from), by.size());
+    };
+    const std::size_t begin = std::min(by.find_first_not_of(' '), by.size());
+    std::size_t end = end_of_digits(begin);
+    if (end == begin) return typed;  // no number follows the sign
+    if (by.substr(end).starts_with('/') && end_of_digits(end + 1) > end + 1) end = end_of_digits(end + 1);
+    const std::string unit = without_outer_blanks(by.substr(end));
     return has_no_unit(value) && unit != "%" ? value + " " + unit : value;
   }
   return text;

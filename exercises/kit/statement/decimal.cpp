@@ -5,8 +5,11 @@
 #include <cmath>
 #include <string_view>
 
+#include "exercises/kit/statement/format_words.h"
 #include "geometry/numbers/fast.h"
 #include "geometry/numbers/given.h"
+#include "geometry/numbers/unit_product.h"
+#include "words/quoted.h"
 
 namespace epure {
 namespace {
@@ -61,18 +64,48 @@ Anatomy dissect(std::string_view text) {
   return parts;
 }
 
-// The text without a unit that only the quantity itself knows ("rad").
-std::string without_own_unit(const std::string& text, const std::string& unit) {
-  const std::string_view trimmed = without_blanks(text);
-  return std::string(trimmed.ends_with(unit) ? trimmed.substr(0, trimmed.size() - unit.size()) : trimmed);
+// Of a number with a unit that no given has: where its unit begins. A slash is the number's where another follows.
+std::size_t end_of_number(std::string_view text) {
+  const auto is_of_number = [&](std::size_t at) {
+    return at < text.size() && (is_digit(text[at]) || is_sign(text[at]) || text[at] == '.' || text[at] == ',');
+  };
+  const auto goes_on = [&](std::size_t at) {
+    const bool may_part = text[at] == '/' || text[at] == 'e' || text[at] == 'E';
+    return is_of_number(at) || (may_part && at > 0 && is_of_number(at + 1));
+  };
+  std::size_t end = 0;
+  while (end < text.size() && goes_on(end)) ++end;
+  return end;
 }
 
 Rational power_of_ten(int exponent) { return geometry::parse_given("1e" + std::to_string(exponent), "1"); }
 
+// In a unit that no given has: "9700 cm^3", "5 kN/m".
+Decimal read_product(const std::string& text, const std::string& unit) {
+  const std::string plain = geometry::in_plain_characters(text);
+  const std::string_view trimmed = without_blanks(plain);
+  const std::size_t end = end_of_number(trimmed);
+  const std::string typed(without_blanks(trimmed.substr(end)));
+  Decimal number = read_decimal(std::string(end == 0 ? trimmed : trimmed.substr(0, end)), "1");
+  if (typed.empty() || typed == unit) return number;
+  const auto is = geometry::unit_product(typed), asked = geometry::unit_product(unit);
+  if (!is || !asked || is->powers != asked->powers) {
+    if (!is) read_decimal(text, "1");  // whose sentence knows thousands and the like
+    throw geometry::BadGiven(
+        format_words("{} ends in {}, which is no unit of what is asked; write a number in {}",
+                     "{} finisce con {}, che non è un'unità di ciò che si chiede; scrivere un numero in {}",
+                     quoted(text), quoted(typed), unit));
+  }
+  const Rational factor = is->factor / asked->factor;
+  number.value *= factor;
+  number.half_unit *= factor;
+  return number;
+}
+
 }  // namespace
 
 Decimal read_decimal(const std::string& text, const std::string& unit) {
-  if (!geometry::find_unit(unit)) return read_decimal(without_own_unit(text, unit), "1");
+  if (!geometry::find_unit(unit)) return read_product(text, unit);
   const Rational value = geometry::parse_given(text, unit);
   const std::string plain = geometry::in_plain_characters(text);
   const Anatomy parts = dissect(plain);

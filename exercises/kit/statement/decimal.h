@@ -15,7 +15,8 @@ struct Decimal {
 };
 
 // "6.50", "13", "-4.2e3", "250 mm" in the unit asked for (6.50 ± 0.005, 13 ± 0.5). Throws geometry::BadGiven.
-// Any unit may be asked for; one that is not in geometry/numbers/given.h is known by its own symbol only.
+// Any unit may be asked for; of one that no given has (geometry/numbers/given.h) others are known as products of
+// units (unit_product.h).
 Decimal read_decimal(const std::string& text, const std::string& unit);
 
 // As a source prints it, in SI units where it has one: "8.077×10^4 MPa".

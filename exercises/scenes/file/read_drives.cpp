@@ -1,5 +1,7 @@
 #include "exercises/scenes/file/sections.h"
 
+#include <array>
+
 #include "exercises/kit/statement/format_words.h"
 
 namespace epure::scenes {
@@ -47,9 +49,18 @@ class DrivesReader : SectionReader {
     const Tree* value = drive.find(key);
     return value ? amount(*value, kind).value : Rational(0);
   }
+  // Where a drive stands ("angle of link 2", under this key), and its rates.
+  void tell_of(const Tree& drive, const Words& stands, const Words& of, const char* key,
+               const std::array<Kind, 3>& kinds) const {
+    tell(stands + of, drive.find(key), kinds[0]);
+    tell(Words{"speed", "velocità"} + of, drive.find("speed"), kinds[1]);
+    tell(Words{"acceleration", "accelerazione"} + of, drive.find("acceleration"), kinds[2]);
+  }
   void turned(const Tree& at) {
     file_.demand_keys(at, {"link", "angle", "speed", "acceleration"});
     const Tree& number = demand(at, "link");
+    tell_of(at, {"angle", "angolo"}, format_words(" of link {}", " del membro {}", number.text), "angle",
+            {Kind::angle, Kind::angular_velocity, Kind::angular_acceleration});
     built_.linkage.drives.push_back(TurnedLink{
         moving_link_of_number(number, number.text), turning(at, "angle", Kind::angle),
         turning(at, "speed", Kind::angular_velocity), turning(at, "acceleration", Kind::angular_acceleration)});
@@ -58,6 +69,9 @@ class DrivesReader : SectionReader {
     file_.demand_keys(at, {"slide", "on", "at", "speed", "acceleration"});
     const Tree &joint = demand(at, "slide"), &on = demand(at, "on");
     const Words what{"a letter is asked here", "qui si chiede una lettera"};
+    tell_of(at, {"place", "posizione"},
+            format_words(" of ${}$ on ${}$", " di ${}$ su ${}$", point_letters(joint.text), point_letters(on.text)),
+            "at", {Kind::length, Kind::velocity, Kind::acceleration});
     built_.linkage.drives.push_back(SlidPoint{point(joint, file_.text(joint, what)), line(on, file_.text(on, what)),
                                               length(demand(at, "at")), rate(at, "speed", Kind::velocity),
                                               rate(at, "acceleration", Kind::acceleration)});
@@ -74,6 +88,9 @@ class DrivesReader : SectionReader {
     if (far <= 0)
       refuse(is, format_words("the cylinder {} must be longer than zero",
                               "il cilindro {} dev'essere più lungo di zero", ends_at.text));
+    const std::string cylinder = point_letters(ends[0]) + point_letters(ends[1]);
+    tell_of(at, {"length", "lunghezza"}, format_words(" of ${}$", " di ${}$", cylinder), "is",
+            {Kind::length, Kind::velocity, Kind::acceleration});
     built_.linkage.drives.push_back(Stretched{point(ends_at, ends[0]), point(ends_at, ends[1]), far,
                                               rate(at, "speed", Kind::velocity),
                                               rate(at, "acceleration", Kind::acceleration)});

@@ -38,6 +38,10 @@ class FrictionReader : SectionReader {
 
  private:
   void contact(const Tree& key, const Tree& value) {
+    tell(format_words("friction of ${}$", "attrito di ${}$", point_letters(key.text)), &value,
+         reads_as(value, Kind::pure_number) ? Kind::pure_number
+         : reads_as(value, Kind::length)    ? Kind::length
+                                            : Kind::angle);
     const bool is_line = SectionReader::is_line(key.text);
     if (!is_line && !reads_as(value, Kind::pure_number) && reads_as(value, Kind::length)) return hinge(key, value);
     const int what = is_line ? line(key, key.text) : point(key, key.text);

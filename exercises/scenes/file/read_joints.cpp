@@ -182,6 +182,12 @@ class JointsReader : SectionReader {
     if (built_.linkage.hinge_of(gear.first, gear.carrier) == built_.linkage.hinge_of(gear.second, gear.carrier))
       refuse(on, {"the two wheels have one centre", "le due ruote hanno un solo centro"});
     std::tie(gear.first_teeth, gear.second_teeth) = sizes(teeth);
+    for (const std::size_t k : {0, 1}) {
+      const bool is_number = reads_as(teeth.items[0], Kind::pure_number);
+      tell(is_number ? format_words("teeth of wheel {}", "denti della ruota {}", both[k])
+                     : format_words("radius of wheel {}", "raggio della ruota {}", both[k]),
+           &teeth.items[k], is_number ? Kind::pure_number : Kind::length);
+    }
     gear.is_inside = is_inside(at);
     if (gear.is_inside && gear.first_teeth == gear.second_teeth)
       refuse(teeth,
@@ -216,6 +222,7 @@ class JointsReader : SectionReader {
     if (sign_of(angle) < 0 || sign_of(angle - Angle{Rational(1, 4)}) >= 0)
       refuse(*at, format_words("\"{}\" is no pressure angle: these are from 0 to below 90 degrees",
                                "\"{}\" non è un angolo di pressione: va da 0 a meno di 90 gradi", at->text));
+    tell({"pressure angle", "angolo di pressione"}, at, Kind::angle);
     return words_of_amount(*at);
   }
   bool is_inside(const Tree& gear) const {

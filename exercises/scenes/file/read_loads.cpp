@@ -67,9 +67,11 @@ class LoadsReader : SectionReader {
                     "si chiedono due componenti, come [0, -9.81 m/s^2]"});
       g = {amount(at.items[0], Kind::acceleration).value, amount(at.items[1], Kind::acceleration).value};
       built_.gravity = "$\\it{g}$";
+      tell_components("$\\it{g}", at, Kind::acceleration);
     } else {
       g = {0, -amount(at, Kind::acceleration).value};
       built_.gravity = letters_of_given(at, "$\\it{g}$");
+      tell({built_.gravity, built_.gravity}, &at, Kind::acceleration);
     }
   }
   void mass(int link, const Tree& item, const Words& what) {
@@ -98,6 +100,21 @@ class LoadsReader : SectionReader {
     built_.loads->masses.push_back(body);
     built_.mass_names.push_back({letters_of_given(size, "$\\it{m}_{" + number(link) + "}$"),
                                  inertia ? letters_of_given(*inertia, "$\\it{J}_{" + number(link) + "}$") : ""});
+    const MassName& names = built_.mass_names.back();
+    tell({names.mass, names.mass}, &size, Kind::mass);
+    tell({names.inertia, names.inertia}, inertia, Kind::moment_of_inertia);
+  }
+  // Of "$\\it{g}": "$\\it{g}_{x}$" and "$\\it{g}_{y}$".
+  void tell_components(const std::string& letters, const Tree& both, Kind kind) const {
+    for (const std::size_t k : {0, 1}) {
+      std::string of = letters;
+      const std::string axis = k == 0 ? "x" : "y";
+      if (of.ends_with('}') && of.find('_') != std::string::npos)
+        of.insert(of.size() - 1, "," + axis);
+      else
+        of += "_{" + axis + "}";
+      tell({of + "$", of + "$"}, &both.items[k], kind);
+    }
   }
   std::string letters_of_given(const Tree& at, const std::string& otherwise) const {
     const std::string symbol = spelled_out(at.text);
@@ -111,6 +128,8 @@ class LoadsReader : SectionReader {
     const Tree& couple = demand(item, "couple");
     built_.loads->couples.push_back({link, amount(couple, Kind::moment).value});
     built_.couple_names.push_back(name_of_load(couple, "T", number(link)));
+    const std::string& symbol = built_.couple_names.back().symbol;
+    tell({symbol, symbol}, &couple, Kind::moment);
   }
   // After the given that it is, where no load before is; or after where it acts.
   LoadName name_of_load(const Tree& size, const std::string& letter, const std::string& where) {
@@ -158,7 +177,12 @@ class LoadsReader : SectionReader {
     }
     built_.loads->forces.push_back(load);
     built_.force_names.push_back(name_of_load(force, "Q", at_point != nothing ? letter(at_point) : number(link)));
-    built_.force_names.back().direction = direction_of_load(item, load);
+    LoadName& name = built_.force_names.back();
+    name.direction = direction_of_load(item, load);
+    if (force.kind == Tree::Kind::list)
+      tell_components(name.symbol.substr(0, name.symbol.size() - 1), force, Kind::force);
+    else
+      tell({name.symbol, name.symbol}, &force, Kind::force);
   }
   // A point of a link, or coordinates in its axes.
   std::pair<int, Own> loaded_place(const Tree& item, const Words& what) const {

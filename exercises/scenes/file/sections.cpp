@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "exercises/kit/panels/results.h"
 #include "exercises/kit/statement/format_words.h"
+#include "exercises/kit/statement/given_number.h"
 #include "exercises/kit/statement/suggest.h"
 #include "exercises/scenes/file/greek.h"
 
@@ -123,6 +125,28 @@ Words SectionReader::words_of_amount(const Tree& at) const {
   std::string italian = as_printed(at.text);
   std::replace(italian.begin(), italian.end(), '.', ',');
   return {as_printed(at.text), italian};
+}
+
+Words SectionReader::equal_to_amount(const Tree& at, geometry::Kind kind) const {
+  const auto as_told = [](const geometry::Rational& number, const std::string& unit) {
+    const auto in = [&](Language language) { return equal_to(number, language) + unit_after_number(unit, language); };
+    return Words{in(Language::english), in(Language::italian)};
+  };
+  try {
+    const geometry::InUnit typed = geometry::read_as_typed(at.text, of_.unit(kind));
+    return as_told(typed.number, typed.unit.symbol);
+  } catch (const geometry::BadGiven&) {
+    return geometry::turns(kind) ? "=\u00a0" + words_of_amount(at) : as_told(amount(at, kind).value, unit_of(kind));
+  }
+}
+
+void SectionReader::tell(const Words& what, const Tree* at, geometry::Kind kind) const {
+  if (!at) return;
+  const std::string text = spelled_out(at->text);
+  if (of_.given.contains(text.substr(std::min(text.find_first_not_of("- "), text.size())))) return;
+  const Words all = what + "\u00a0" + equal_to_amount(*at, kind);
+  if (std::find(built_.in_place.begin(), built_.in_place.end(), all) == built_.in_place.end())
+    built_.in_place.push_back(all);
 }
 
 const TextTree& SectionReader::section(const char* name) const {

@@ -64,6 +64,8 @@ class SectionReader {
   geometry::Own own(const Tree& at) const;
   // As the file has it, or the letters of the given that it is.
   Words words_of_amount(const Tree& at) const;
+  // Told on the sheets beside the givens, unless it is one of these or its opposite; `at` may be none.
+  void tell(const Words& what, const Tree* at, geometry::Kind kind) const;
   // Zero where the map does not say it.
   geometry::Angle turning(const Tree& map, const std::string& key, geometry::Kind kind) const;
 
@@ -84,6 +86,8 @@ class SectionReader {
 
  private:
   int place_of_link(const std::string& number) const;
+  // "= 20 N m", with its unit as typed; a formula in SI units, or as the file has it where it turns.
+  Words equal_to_amount(const Tree& at, geometry::Kind kind) const;
 };
 
 }  // namespace epure::scenes

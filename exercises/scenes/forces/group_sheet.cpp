@@ -137,7 +137,8 @@ class GroupSheet {
     return panel;
   }
   void draw(FreeBodyPanel& panel, const ActingForce& force, const Place& middle) const {
-    const bool is_load = force.kind == ActingForce::Kind::load || force.kind == ActingForce::Kind::weight;
+    // Whoever is to solve the sheet is asked for weights.
+    const bool is_load = force.kind == ActingForce::Kind::load;
     (panel.*(is_load ? &FreeBodyPanel::load : &FreeBodyPanel::force))(
         of_.side(force), of_.place(force),
         is_of_mass(force) ? FreeBodyPanel::Arrow::starts : of_.there(force, middle));

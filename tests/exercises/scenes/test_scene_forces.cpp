@@ -7,6 +7,7 @@
 #include "exercises/scenes/file/file_head.h"
 #include "exercises/scenes/scene.h"
 #include "exercises/scenes/scene_exercise.h"
+#include "geometry/numbers/given.h"
 #include "tests/exercises/drawn_marks.h"
 #include "tests/exercises/scenes/said.h"
 
@@ -588,6 +589,64 @@ TEST_CASE("inertia is told and drawn among the loads", "[scenes]") {
     CHECK(quantity.spec.name != "C_2");  // it turns steadily
     CHECK(quantity.spec.name != "h_F_2");
   }
+}
+
+namespace {
+
+// With plain blanks.
+std::string given_on(const std::string& text, const std::string& sheet, bool blank,
+                     Language language = Language::english) {
+  const auto scene = std::make_shared<const scenes::Scene>("f", text);
+  const DrawnSheet drawn =
+      scenes::scene_exercise(scene)->draw(sheet, Givens(scene->givens()), {.language = language, .blank = blank});
+  return geometry::in_plain_characters(drawings::plain(std::get<drawings::Paragraph>(drawn.sheet.column.at(1)).text));
+}
+
+}  // namespace
+
+// Attacked: of a load in place neither its size nor the drive's speed stood on a sheet that asked for reactions.
+TEST_CASE("what a file says in place stands beside its givens, on sheets to be solved too", "[scenes]") {
+  const std::string text =
+      "epure: 1\nid: f\ngivens: {theta: 40 deg, F: 10 N}\nlinks:\n  1: {A0: [0, 0], g: {along: [1, 0]}}\n"
+      "  2: {A0 A: 120 mm}\n  3: {A: [0, 0], B: [350 mm, 0], G: [170 mm, 0]}\n  4: {B: [0, 0], b: {along: [1, 0]}}\n"
+      "slides: {b: g}\ndrive: {link: 2, angle: theta, speed: -71.5 rpm, acceleration: 13 rad/s^2}\n"
+      "assembly: {B: ahead on g}\nloads: [{at: B, on: 4, force: 237 N, direction: 180 deg}, {on: 3, couple: -31 "
+      "N*m}, "
+      "{at: G, force: [-5 N, 3*F]}, {at: A, on: 2, force: -F, direction: 90 deg}]\n"
+      "masses: {3: {mass: 1.73 kg, at: G, inertia: 187 kg cm^2}}\ngravity: 9.81 m/s^2\nfriction: {b: 0.137}\n";
+  for (const bool blank : {false, true}) {
+    CHECK(given_on(text, "forces-3-4", blank) ==
+          "θ = 40°, F = 10 N, speed of link 2 = -71.5 rpm, acceleration of link 2 = 13 rad/s², Q_B = 237 N, "
+          "T_3 = -31 N m, Q_G,x = -5 N, Q_G,y = 30 N, g = 9.81 m/s², m_3 = 1.73 kg, J_3 = 187 kg cm², "
+          "friction of b = 0.137");
+    CHECK(given_on(text, "velocities", blank, Language::italian) ==
+          "θ = 40°, F = 10 N, velocità del membro 2 = -71,5 giri/min, accelerazione del membro 2 = 13 rad/s², "
+          "Q_B = 237 N, T_3 = -31 N m, Q_G,x = -5 N, Q_G,y = 30 N, g = 9,81 m/s², m_3 = 1,73 kg, J_3 = 187 kg cm², "
+          "attrito di b = 0,137");
+  }
+  // Of a file that has no givens there is nothing else to tell.
+  const std::string wheels =
+      "epure: 1\nid: f\nlinks:\n  1: {A: [0, 0], B: [90 mm, 120 mm]}\n  2: {A: [0, 0]}\n  3: {B: [0, 0]}\n"
+      "gears: [{wheels: 2 3, on: 1, teeth: [20, 40], pressure_angle: 25 deg}]\ndrive: {link: 2, angle: 30 deg}\n";
+  CHECK(given_on(wheels, "velocities", true) ==
+        "teeth of wheel 2 = 20, teeth of wheel 3 = 40, pressure angle = 25°, angle of link 2 = 30°");
+  // What is a given is told once.
+  CHECK(given_on(scenes::bytes_of(EPURE_SCENES "/engine.yaml"), "velocities", true).ends_with("g = 9.81 m/s²"));
+}
+
+// Attacked: weights are asked for, and their numbers stood at arrows too short to be drawn.
+TEST_CASE("on a sheet to be solved no weight is drawn that it asks for", "[scenes]") {
+  const auto scene = std::make_shared<const scenes::Scene>("f", scenes::bytes_of(EPURE_SCENES "/engine.yaml"));
+  const auto exercise = scenes::scene_exercise(scene);
+  for (const std::string sheet : {"forces-3-4", "forces-2"})
+    for (const bool blank : {false, true}) {
+      const DrawnSheet drawn = exercise->draw(sheet, Givens(scene->givens()), {.blank = blank, .for_class = true});
+      CHECK(std::any_of(drawn.asked.begin(), drawn.asked.end(),
+                        [](const auto& name) { return name.starts_with("W_"); }));
+      const auto& labels = drawn.sheet.figure.labels;
+      const auto tells_weight = [](const drawings::Label& each) { return each.text.find("W") != std::string::npos; };
+      CHECK(std::any_of(labels.begin(), labels.end(), tells_weight) != blank);
+    }
 }
 
 // At rest there is no inertia; without gravity no weight; as fast again inertia is four times as large.

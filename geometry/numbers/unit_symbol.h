@@ -1,0 +1,11 @@
+// How people write a unit.
+#pragma once
+
+#include <string>
+
+namespace epure::geometry {
+
+// As the list of known units spells it: "m/s²", "m/s2", "m·s⁻²" and "m/sec^2" as "m/s^2".
+std::string spelled_unit(std::string symbol);
+
+}  // namespace epure::geometry
