@@ -90,13 +90,11 @@ class Records {
   }
 
  private:
-  // "sep=;", which a spreadsheet writes before a table, or reads there.
   void take_line_of_separator() {
-    constexpr std::string_view begin = "sep=";
-    const std::size_t end = begin.size() + 1;
-    if (!rest_.starts_with(begin) || rest_.size() <= end || (rest_[end] != '\n' && rest_[end] != '\r')) return;
-    separator_ = rest_[begin.size()];
-    rest_.remove_prefix(end);
+    const std::string_view line = rest_.substr(0, std::min(rest_.find_first_of("\r\n"), rest_.size()));
+    if (!names_separator(line)) return;
+    separator_ = line.back();
+    rest_.remove_prefix(line.size());
     end_line();
   }
   bool take(char c) {
@@ -185,6 +183,10 @@ std::string bytes_of(const std::string& path) {
 }
 
 }  // namespace
+
+bool names_separator(std::string_view line) {
+  return line.size() == 5 && line.starts_with("sep=") && std::string_view(";,\t").find(line.back()) < 3;
+}
 
 std::optional<std::size_t> CsvTable::column(const std::string& name) const {
   const auto first = std::find(header.begin(), header.end(), name);

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "exercises/cli/catalogue.h"
@@ -32,6 +33,9 @@ struct CsvTable {
   // Throws BadTable when two rows have the same text in this column, or one has none.
   void demand_distinct(std::size_t column) const;
 };
+
+// "sep=;", which a spreadsheet reads or writes before a table.
+bool names_separator(std::string_view line);
 
 // By RFC 4180, and as spreadsheets write it: UTF-8 with or without a byte order mark, lines that end in LF, CR LF or
 // CR, fields divided by what divides those of the header (comma, semicolon or tabulator), quotes doubled inside of

@@ -20,8 +20,11 @@ bool says_nothing(const std::string& line) {
 // A header holds names, and no name has such a sign.
 bool is_of_lines(const std::string& text) {
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);)
-    if (!says_nothing(line)) return line.find('=') != std::string::npos || line.find('[') != std::string::npos;
+  for (std::string line; std::getline(lines, line);) {
+    if (says_nothing(line)) continue;
+    if (names_separator(line.substr(0, line.find('\r')))) return false;
+    return line.find('=') != std::string::npos || line.find('[') != std::string::npos;
+  }
   return false;
 }
 

@@ -92,7 +92,7 @@ std::string mechanism_of(const GivenSpec& given, Language language) {
 }
 
 // A line of them for each mechanism, under its name.
-std::vector<std::string> givens_in_words(const Solution& solution, Language language) {
+std::vector<std::string> givens_in_words(const Description& about, const Solution& solution, Language language) {
   std::vector<std::string> lines;
   std::optional<std::string> before;
   const Givens& givens = solution.givens();
@@ -109,6 +109,13 @@ std::vector<std::string> givens_in_words(const Solution& solution, Language lang
     lines.back() += unicode_symbol(spec.letters.empty() ? spec.symbol : spec.letters) + " " +
                     equal_to(read.number, language) + unit_after_number(read.unit.symbol, language);
   }
+  for (const Words& each : about.also_given(givens)) {
+    const std::string told = drawings::plain(each.in(language));
+    if (lines.empty())
+      lines.push_back(told);
+    else
+      lines.back() += ", " + told;
+  }
   return lines;
 }
 
@@ -120,7 +127,8 @@ std::string moodle_question(const Exercise& exercise, const Variant& variant, co
   const Words question =
       lots.sheets.size() == 1 ? question_of(exercise.about(), lots.sheets.front()) : exercise.about().question;
   std::string text = paragraph(drawings::plain(question.in(language))), files, rows, origin;
-  for (const std::string& line : givens_in_words(variant.solution, language)) text += paragraph(line);
+  for (const std::string& line : givens_in_words(exercise.about(), variant.solution, language))
+    text += paragraph(line);
   std::vector<std::string> asked;
   for (std::size_t i = 0; i < lots.sheets.size(); ++i) {
     SheetRequest request = lots.request_of(lots.sheets[i]);

@@ -15,6 +15,15 @@ namespace {
 
 // CLI11 reads the options. What it would say of them depends on its version and is English: the help and the
 // refusals are our own.
+// "r=25cm" of "r = 25cm".
+std::string without_blanks_about_equals(std::string text) {
+  std::size_t equals = text.find('=');
+  if (equals == std::string::npos) return text;
+  for (; equals > 0 && text[equals - 1] == ' '; --equals) text.erase(equals - 1, 1);
+  while (equals + 1 < text.size() && text[equals + 1] == ' ') text.erase(equals + 1, 1);
+  return text;
+}
+
 class Parser {
  public:
   Parser(Options& options, Language language) : options_(options), language_(language) {
@@ -80,7 +89,10 @@ class Parser {
   // One that may be repeated and takes one value each time, so that what follows the value is a name again.
   void add_repeatable(CLI::App& verb, const std::string& name, std::vector<std::string>& values, const Words& type,
                       const Words& meaning) {
-    verb.add_option(name, values, say(meaning))->allow_extra_args(false)->type_name(say(type));
+    verb.add_option(name, values, say(meaning))
+        ->transform(without_blanks_about_equals)
+        ->allow_extra_args(false)
+        ->type_name(say(type));
   }
 
   void add_flag(CLI::App& verb, const std::string& name, bool& value, const Words& meaning) {

@@ -139,6 +139,7 @@ class ReportMaker {
                            equal_to(read.number, language_) + unit_after_number(read.unit.symbol, language_) + ", " +
                            say(spec.meaning));
     }
+    for (const Words& each : exercise_.about().also_given(givens_)) list.items.push_back(say(each));
     if (list.items.empty()) return;
     head({"Given", "Dati"});
     add(std::move(list));

@@ -46,13 +46,6 @@ std::vector<Quantity> quantities_of(const Scene& scene) {
   return all;
 }
 
-// What the file says in place and not among its givens: whoever is to solve a sheet needs it too.
-Words said_in_place(const Scene& scene, const Givens& givens) {
-  Words all;
-  for (const Words& each : scene.built(givens).in_place) all = all + (all.empty() ? "" : ", ") + each;
-  return all;
-}
-
 // Its letters are explained in full where the scene begins.
 void add_legends(std::vector<SheetMaker>& sheets, const std::shared_ptr<const Scene>& scene,
                  const SheetNumbers& numbers) {
@@ -62,7 +55,6 @@ void add_legends(std::vector<SheetMaker>& sheets, const std::shared_ptr<const Sc
                                                                                   Language language) {
       PanelSheet sheet = make(s, language);
       sheet.legend = legend_of(*scene, first, language);
-      sheet.also_given = said_in_place(*scene, s.givens());
       return sheet;
     };
 }
@@ -83,15 +75,16 @@ Words question(const Scene& scene) {
                         " Trovare le reazioni di tutti i vincoli sotto i carichi, e quanto devono dare i moventi."};
 }
 
-Description described(const Scene& scene) {
-  return {.id = scene.id(),
-          .title = escaped(scene.title()),
+Description described(const std::shared_ptr<const Scene>& scene) {
+  return {.id = scene->id(),
+          .title = escaped(scene->title()),
           .document = "scene",
-          .item = scene.id(),
-          .source = escaped(scene.source()),
-          .question = question(scene),
-          .givens = scene.givens(),
-          .printed = [printed = scene.printed()] { return printed; }};
+          .item = scene->id(),
+          .source = escaped(scene->source()),
+          .question = question(*scene),
+          .givens = scene->givens(),
+          .also_given = [scene](const Givens& givens) { return scene->built(givens).in_place; },
+          .printed = [printed = scene->printed()] { return printed; }};
 }
 
 }  // namespace
@@ -134,7 +127,7 @@ std::unique_ptr<Exercise> scene_exercise(const std::shared_ptr<const Scene>& sce
   for (const SheetMaker& sheet : chosen) names.push_back(sheet.spec.name);
   numbers.are_of(names);
   add_legends(chosen, scene, numbers);
-  auto exercise = exercise_of_panels(described(*scene), solve, std::move(chosen));
+  auto exercise = exercise_of_panels(described(scene), solve, std::move(chosen));
   scene->demand_printed(exercise->about().quantities());
   return exercise;
 }

@@ -154,6 +154,9 @@ Words example(const Unit& unit) {
   return {"a number such as 0.25" + symbol + " or 1/4" + symbol, "un numero come 0,25" + symbol + " o 1/4" + symbol};
 }
 
+// A work may be in N m; a couple is not in joules.
+bool stands_for(Kind typed, Kind asked) { return typed == asked || (typed == Kind::moment && asked == Kind::energy); }
+
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
@@ -278,18 +281,24 @@ class Reader {
 
   Unit unit_of(const std::string& symbol) const {
     if (symbol.empty()) return expected_;
-    const std::string spelled = spelled_unit(symbol);
-    if ((spelled == "1/s" && expected_.kind == Kind::angular_velocity) ||
-        (spelled == "1/s^2" && expected_.kind == Kind::angular_acceleration))
-      refuse({"may be in turns or in radians", "può essere in giri o in radianti"},
-             accepted_units());
     const auto unit = find_unit(symbol);
+    if (!unit && may_turn(symbol))
+      refuse({"may be in turns or in radians", "può essere in giri o in radianti"}, accepted_units());
     if (!unit) refuse_unknown(symbol);
-    if (unit->kind == expected_.kind) return *unit;
+    if (stands_for(unit->kind, expected_.kind))
+      return {unit->symbol, expected_.kind, unit->factor, unit->counts_turns};
     const Words is = name_of(unit->kind), asked = name_of(expected_.kind);
     refuse({"is " + is.english + " where " + asked.english + " is asked",
             "è " + is.italian + " dove occorre " + asked.italian},
            accepted_units());
+  }
+
+  // 1/s, 1/h² and the like, where something turns.
+  bool may_turn(const std::string& symbol) const {
+    const auto product = unit_product(symbol);
+    return product &&
+           ((expected_.kind == Kind::angular_velocity && product->powers == UnitProduct::Powers{0, 0, -1, 0}) ||
+            (expected_.kind == Kind::angular_acceleration && product->powers == UnitProduct::Powers{0, 0, -2, 0}));
   }
 
   [[noreturn]] void refuse_unknown(const std::string& symbol) const {
@@ -298,6 +307,10 @@ class Reader {
       refuse({"has more than a decimal point or comma between its digits",
               "ha più di un punto o di una virgola decimale tra le cifre"},
              {"thousands without a separator, as in 1234.5", "le migliaia senza separatore, come in 1234,5"});
+    if (const Words asked = name_of(expected_.kind); unit_product(symbol))
+      refuse({"ends in " + quoted(symbol) + ", which is no unit of " + asked.english,
+              "finisce con " + quoted(symbol) + ", che non è un'unità di " + asked.italian},
+             accepted_units());
     refuse({"ends in " + quoted(symbol) + ", which is no unit of this program",
             "finisce con " + quoted(symbol) + ", che non è un'unità di questo programma"},
            accepted_units());
@@ -320,14 +333,18 @@ std::optional<Unit> product_of_a_kind(const std::string& symbol) {
   static const auto dimensions = [] {
     std::vector<std::pair<UnitProduct::Powers, Kind>> all;
     for (const Unit& known : known_units())
-      if (const auto product = unit_product(known.symbol)) all.emplace_back(product->powers, known.kind);
+      if (const auto product = unit_product(known.symbol); product && !known.counts_turns)  // no 1/s of 1/min
+        all.emplace_back(product->powers, known.kind);
     return all;
   }();
   const auto product = unit_product(symbol);
   if (!product) return {};
   const auto found = std::find_if(dimensions.begin(), dimensions.end(),
                                   [&](const auto& each) { return each.first == product->powers; });
-  return found == dimensions.end() ? std::nullopt : std::optional(Unit{symbol, found->second, product->factor});
+  if (found == dimensions.end()) return {};
+  // A couple and a work have one dimension; what is made of watts or joules is a work.
+  const bool is_work = found->second == Kind::moment && symbol.find_first_of("WJ") != std::string::npos;
+  return Unit{symbol, is_work ? Kind::energy : found->second, product->factor};
 }
 
 }  // namespace
@@ -449,7 +466,7 @@ Rational in_si(const InUnit& of) {
 Rational conversion(const std::string& from, const std::string& to) {
   const auto source = find_unit(from);
   const auto target = find_unit(to);
-  assert(source && target && source->kind == target->kind && source->counts_turns == target->counts_turns);
+  assert(source && target && stands_for(source->kind, target->kind) && source->counts_turns == target->counts_turns);
   return source->factor / target->factor;
 }
 

@@ -82,6 +82,7 @@ std::optional<UnitProduct> unit_product(const std::string& symbol) {
   std::string rest = spelled_unit(symbol);
   int side = 1;
   bool has_factor = false;
+  if (rest.ends_with('/')) return {};
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find_first_of(" */"), rest.size());
     if (end > 0) {

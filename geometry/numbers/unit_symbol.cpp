@@ -56,6 +56,9 @@ std::string spelled_unit(std::string symbol) {
   }
   for (const std::string_view dot : {"·", "⋅", "∙"}) replace_all(symbol, dot, "*");
   replace_all(symbol, "μ", "µ");  // the Greek letter, for the sign
+  for (const std::string_view slash : {" /", "/ "})
+    while (symbol.find(slash) != std::string::npos) symbol.replace(symbol.find(slash), slash.size(), "/");
+  if (symbol.starts_with('/')) symbol.insert(0, "1");
   symbol = with_slash(symbol);
   replace_all(symbol, "sec", "s");
   replace_all(symbol, "gradi", "deg");

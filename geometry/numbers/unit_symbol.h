@@ -5,7 +5,7 @@
 
 namespace epure::geometry {
 
-// As the list of known units spells it: "m/s²", "m/s2", "m·s⁻²" and "m/sec^2" as "m/s^2".
+// As the list of known units spells it: "m/s²", "m/s2", "m·s⁻²" and "m/sec^2" as "m/s^2"; "/ min" as "1/min".
 std::string spelled_unit(std::string symbol);
 
 }  // namespace epure::geometry

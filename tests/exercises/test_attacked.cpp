@@ -282,9 +282,37 @@ TEST_CASE("attacked: units of quantities that no given has are read as sheets pr
   // And letters as they are copied from a sheet; how sure an answer is has the unit behind it.
   CHECK(verdict("slider-crank-velocity", "ω_3 (rad/s)", "1000") == "wrong");
   CHECK(verdict("slider-crank-velocity", "P_0B", "1000") == "wrong");
-  CHECK(verdict("oscillator-pendulum", "oscillator.beta", "500 ± 0.1 1/s") == "wrong");
-  CHECK(verdict("oscillator-pendulum", "oscillator.beta (1/s)", "500") == "wrong");
+  // ζ ω_n = 1.5 · 0.2 rad/s: a decay is in 1/s, and no angular velocity.
+  CHECK(verdict("oscillator-pendulum", "oscillator.alpha", "0.300 ± 0.1 1/s") == "right");
+  CHECK(verdict("oscillator-pendulum", "oscillator.alpha (1/s)", "0.300") == "right");
+  CHECK(verdict("oscillator-pendulum", "oscillator.alpha", "0.300 s⁻¹") == "right");
+  CHECK(verdict("oscillator-pendulum", "oscillator.alpha", "300 1/ks") == "wrong");
   const Ran measured = run_real({"check", "crane-welds", "--measured", "q=5 furlongs"});
   CHECK(measured.exit == 2);
   CHECK(measured.err.find("\"furlongs\"") != std::string::npos);
+}
+
+// Numbers that a mechanism's file says in place stood on its sheets, and neither in questions nor in a report.
+TEST_CASE("attacked: what a file says in place is told wherever its givens are") {
+  const Scratch scratch;
+  std::ofstream("mine.yaml")
+      << "epure: 1\nid: mine\ntitle: Mine\ngivens: {r: 100 mm}\nlinks:\n"
+         "  1: {O: [0, 0], g: {through: [0, 20 mm], along: [1, 0]}}\n  2: {O A: r}\n  3: {A B: 330 mm}\nslides: {B: "
+         "g}\n"
+         "drive: {link: 2, angle: 50 deg, speed: 93 rpm}\nassembly: {B: ahead on g}\nloads: [{at: B, force: 237 N, "
+         "direction: 171 deg}]\n";
+  const auto bytes_of = [](const std::string& name) {
+    std::ostringstream all;
+    all << std::ifstream(name).rdbuf();
+    return all.str();
+  };
+  REQUIRE(
+      run_real({"class", "mine.yaml", "--count", "1", "--vary", "r=90..110/3", "--format", "moodle", "--out", "mo"})
+          .exit == 0);
+  REQUIRE(run_real({"report", "mine.yaml", "-o", "r.md"}).exit == 0);
+  for (const std::string& text : {bytes_of("mo/questions.xml"), bytes_of("r.md")})
+    for (const std::string told : {"93\u00a0rpm", "237\u00a0N"}) {
+      CAPTURE(told);
+      CHECK(text.find(told) != std::string::npos);
+    }
 }

@@ -98,6 +98,9 @@ TEST_CASE("of a table each row is drawn and checked") {
   CHECK(told["exercises"][0]["givens"][0]["value"] == "1/2");
   CHECK(told["exercises"][1]["givens"][0]["value"] == "3/10");
 
+  write("sep.csv", "sep=;\r\nnumber;a\r\n7;0,5\r\n");
+  CHECK(run({"check", "triangle", "--givens", "sep.csv"}).out.find("sep.csv, line 3: 7\n") != std::string::npos);
+
   REQUIRE(run({"draw", "triangle", "--givens", "g.csv", "-o", "all.pdf"}).exit == 0);
   CHECK(count(with_packed_objects(contents("all.pdf")), "/Type /Page ") == 4);
 }

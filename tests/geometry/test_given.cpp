@@ -36,6 +36,9 @@ TEST_CASE("Good givens, read as the rational they say") {
       {"  360\trpm ", "rpm", "360"},
       {"360giri/min", "rpm", "360"},
       {"360 1/min", "rpm", "360"},
+      {"360/min", "rpm", "360"},
+      {"360 / min", "rpm", "360"},
+      {"360 1/ min", "rpm", "360"},
       {"6Hz", "rpm", "360"},
       {"6turn/s", "rpm", "360"},
       {"6rev/s", "rpm", "360"},
@@ -166,7 +169,8 @@ TEST_CASE("Bad givens are refused: the text, what is wrong, what would be accept
       {"1 000", "m", "point or comma", "1234.5"},
       {"1'000", "m", "point or comma", "1234.5"},
       {"274'", "m", "no unit", "m, cm, mm, km"},
-      {"3m3", "m", "no unit", "m, cm, mm, km"},
+      {"3m3", "m", "no unit of a length", "m, cm, mm, km"},
+      {"3 J", "N m", "is an energy where a couple or moment is asked", "kNm"},
       {"3 m m", "m", "is an area where a length is asked", "m, cm, mm, km"},
       {"1/2/3", "m", "no unit", "m, cm, mm, km"},
       {"1/", "m", "no unit", "m, cm, mm, km"},
@@ -177,6 +181,10 @@ TEST_CASE("Bad givens are refused: the text, what is wrong, what would be accept
       {"6 1/s", "rad/s", "may be in turns or in radians", "rpm"},
       {"6 s\u207B\u00B9", "rad/s", "may be in turns or in radians", "rpm"},
       {"6 1/s^2", "rad/s^2", "may be in turns or in radians", "rev/s^2"},
+      {"6/s", "rpm", "may be in turns or in radians", "rad/s"},
+      {"6 1/h", "rpm", "may be in turns or in radians", "rad/s"},
+      {"6 1/ms", "rad/s", "may be in turns or in radians", "rpm"},
+      {"6 1/min^2", "rad/s^2", "may be in turns or in radians", "rev/s^2"},
       {"6 s-2", "m", "no unit", "m, cm, mm, km"},
       {"1'234.5", "m", "point or comma", "1234.5"},
       {"1.234,5", "m", "point or comma", "1234.5"},
@@ -246,9 +254,12 @@ TEST_CASE("Products of units are known by their dimensions, also where no given 
   CHECK(parse_given("3 N·cm", "N m") == Rational(3, 100));
   CHECK(parse_given("2 kg·cm²", "kg m^2") == Rational(2, 10000));
   CHECK(parse_given("5 daN/mm^2", "MPa") == 50);
+  CHECK(parse_given("5 N m", "J") == 5);
+  CHECK(conversion("kN m", "J") == 1000);
+  CHECK(parse_given("2 kW h", "J") == 7200000);
   CHECK(parse_given("1 mm/m", "1") == Rational(1, 1000));
   CHECK(parse_given("1 kg m s^-2", "N") == 1);
-  CHECK_FALSE(find_unit("m^3"));  // no given is a volume
+  for (const char* none : {"m^3", "1/s", "1/s^2", "rad^2/s^2"}) CHECK_FALSE(find_unit(none));  // of no given
   struct Row {
     const char *text, *same;
     Rational times;

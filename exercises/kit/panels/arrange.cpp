@@ -438,7 +438,7 @@ std::string description(const Solution& solution, const PanelSheet& shown, Langu
 DrawnSheet arrange(const Description& about, const std::string& sheet, const Solution& solution,
                    const PanelSheet& shown, const SheetRequest& request) {
   const Language language = request.language;
-  DrawnSheet onto = blank_sheet(about, sheet, solution.givens(), request, shown.without_part, shown.also_given);
+  DrawnSheet onto = blank_sheet(about, sheet, solution.givens(), request, shown.without_part);
   if (!shown.title.empty() && request.titles.title.empty()) {
     drawings::TitleBlock& block = onto.sheet.title_block;
     block.exercise = shown.title.in(language);

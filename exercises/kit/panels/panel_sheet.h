@@ -27,7 +27,6 @@ struct PanelSheet {
   Words seen = {};                          // for who does not see the sheet: what is on it ...
   std::vector<std::string> told = {};       // ... and the quantities then told
   std::set<std::string> without_part = {};  // givens that are not shown, as they have none here
-  Words also_given = {};                    // numbers beside the givens, told after them; rich text
   Words title = {};                         // of the exercise, where these givens make it another
 };
 

@@ -47,8 +47,7 @@ std::string with_its_number(std::string source) {
 }  // namespace
 
 DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const Givens& givens,
-                       const SheetRequest& request, const std::set<std::string>& without_part,
-                       const Words& also_given) {
+                       const SheetRequest& request, const std::set<std::string>& without_part) {
   const Language language = request.language;
   DrawnSheet onto;
   onto.sheet.id = about.id + "-" + sheet + (request.blank ? "-blank" : "");
@@ -75,7 +74,7 @@ DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const
   if (!titles.title.empty()) block.exercise = own(titles.title);
   if (!givens.as_stated()) block.source += language == Language::english ? ", givens changed" : ", dati cambiati";
   std::string given = in_one_line(givens, without_part, language);
-  if (!also_given.empty()) given += (given.empty() ? "" : ", ") + also_given.in(language);
+  for (const Words& each : about.also_given(givens)) given += (given.empty() ? "" : ", ") + each.in(language);
   if (!given.empty()) {
     onto.sheet.column.push_back(drawings::Heading{language == Language::english ? "Given" : "Dati"});
     onto.sheet.column.push_back(drawings::Paragraph{given});

@@ -10,11 +10,10 @@
 namespace epure {
 
 // Names, title block, language and paper filled in; the column begins with the givens but for those that have no part
-// in this case, and what is given beside them (rich text); the source says when these are not its own. The figure is
+// in this case, and what is given beside them; the source says when these are not its own. The figure is
 // empty.
 DrawnSheet blank_sheet(const Description& about, const std::string& sheet, const Givens& givens,
-                       const SheetRequest& request, const std::set<std::string>& without_part = {},
-                       const Words& also_given = {});
+                       const SheetRequest& request, const std::set<std::string>& without_part = {});
 
 // Where the panels may draw: the drawing area of the paper, or as much of it, at its lower left corner, as the
 // request has room for.

@@ -70,6 +70,8 @@ struct Description {
   Words source;                // as it stands in the title block
   Words question;              // what is given and what is to be found, in sentences; rich text
   std::vector<GivenSpec> givens;
+  // Numbers beside them that nobody can set, as they now are: "$m_{3}$ = 1.2 kg"; rich text.
+  std::function<std::vector<Words>(const Givens&)> also_given = [](const Givens&) { return std::vector<Words>{}; };
   std::vector<SheetSpec> sheets = {};
   LateList<Quantity> quantities = {};
   LateList<Printed> printed = {};

@@ -74,7 +74,8 @@ class FrictionReader : SectionReader {
       friction.amount = coefficient;
     }
     built_.loads->frictions.push_back(friction);
-    built_.friction_names.push_back({words_of_amount(value)});
+    built_.friction_names.push_back({words_of_amount(
+        value, std::holds_alternative<Rational>(friction.amount) ? Kind::pure_number : Kind::angle)});
     return true;
   }
   void hinge(const Tree& key, const Tree& value) {
@@ -94,7 +95,7 @@ class FrictionReader : SectionReader {
       refuse(value, format_words("\"{}\" is below zero, and no radius of a friction circle is",
                                  "\"{}\" è sotto lo zero, e nessun raggio di cerchio d'attrito lo è", value.text));
     built_.loads->hinge_frictions.push_back({A, radius});
-    built_.hinge_friction_names.push_back({words_of_amount(value)});
+    built_.hinge_friction_names.push_back({words_of_amount(value, Kind::length)});
   }
 };
 

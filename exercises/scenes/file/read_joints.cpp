@@ -217,13 +217,20 @@ class JointsReader : SectionReader {
   // 20 degrees where the file does not say it.
   Words pressure_angle(const Tree& gear, Angle& angle) const {
     const Tree* at = gear.find("pressure_angle");
-    if (!at) return {"20°", "20°"};
+    if (!at) {
+      const Words taken = Words{"pressure angle", "angolo di pressione"} + "\u00a0=\u00a020°";
+      const bool are_forces_asked = root_.find("loads") || root_.find("masses");
+      if (are_forces_asked &&
+          std::find(built_.in_place.begin(), built_.in_place.end(), taken) == built_.in_place.end())
+        built_.in_place.push_back(taken);
+      return {"20°", "20°"};
+    }
     angle = amount(*at, Kind::angle).angle;
     if (sign_of(angle) < 0 || sign_of(angle - Angle{Rational(1, 4)}) >= 0)
       refuse(*at, format_words("\"{}\" is no pressure angle: these are from 0 to below 90 degrees",
                                "\"{}\" non è un angolo di pressione: va da 0 a meno di 90 gradi", at->text));
     tell({"pressure angle", "angolo di pressione"}, at, Kind::angle);
-    return words_of_amount(*at);
+    return words_of_amount(*at, Kind::angle);
   }
   bool is_inside(const Tree& gear) const {
     const Tree* inside = gear.find("inside");

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "exercises/kit/statement/format_words.h"
+#include "exercises/kit/statement/given_number.h"
 #include "exercises/kit/statement/suggest.h"
 #include "exercises/scenes/file/greek.h"
 
@@ -150,12 +151,12 @@ class LoadsReader : SectionReader {
     const Tree &force = *item.find("force"), *direction = item.find("direction");
     if (!direction) {
       if (load.components.x == 0 || load.components.y == 0) return load.components.y == 0 ? "∥ $x$" : "∥ $y$";
-      return "∥ (" + as_printed(force.items[0].text) + "; " + as_printed(force.items[1].text) + ")";
+      return as_printed("∥ (" + told_value(load.components.x).english + " N; " +
+                        told_value(load.components.y).english + " N)");
     }
     const Rational quarters = 4 * load.turned.turns;
     if (quarters.denominator() == 1) return Rational(quarters / 2).denominator() == 1 ? "∥ $x$" : "∥ $y$";
-    const std::string symbol = spelled_out(direction->text);
-    return "∠ " + (of_.given.contains(symbol) ? given_letters(symbol) : as_printed(direction->text));
+    return "∠ " + words_of_amount(*direction, Kind::angle).english;
   }
   void force(const Tree& item, const Words& what) {
     file_.demand_keys(item, {"at", "on", "force", "direction"});

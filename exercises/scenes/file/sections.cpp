@@ -119,12 +119,14 @@ geometry::Angle SectionReader::turning(const Tree& drive, const std::string& key
   return value ? amount(*value, kind).angle : geometry::Angle{};
 }
 
-Words SectionReader::words_of_amount(const Tree& at) const {
+Words SectionReader::words_of_amount(const Tree& at, geometry::Kind kind) const {
   const std::string symbol = spelled_out(at.text);
   if (of_.given.contains(symbol)) return {given_letters(symbol), given_letters(symbol)};
-  std::string italian = as_printed(at.text);
-  std::replace(italian.begin(), italian.end(), '.', ',');
-  return {as_printed(at.text), italian};
+  const Amount it = amount(at, kind);
+  const Words number = kind == geometry::Kind::angle    ? told_degrees(it.angle) + "°"
+                       : kind == geometry::Kind::length ? told_value(1000 * it.value) + " mm"
+                                                        : told_value(it.value);
+  return {as_printed(number.english), as_printed(number.italian)};
 }
 
 Words SectionReader::equal_to_amount(const Tree& at, geometry::Kind kind) const {
@@ -136,7 +138,9 @@ Words SectionReader::equal_to_amount(const Tree& at, geometry::Kind kind) const 
     const geometry::InUnit typed = geometry::read_as_typed(at.text, of_.unit(kind));
     return as_told(typed.number, typed.unit.symbol);
   } catch (const geometry::BadGiven&) {
-    return geometry::turns(kind) ? "=\u00a0" + words_of_amount(at) : as_told(amount(at, kind).value, unit_of(kind));
+    if (geometry::turns(kind) && kind != geometry::Kind::angle) return decimal("=\u00a0" + as_printed(at.text));
+    return kind == geometry::Kind::angle ? "=\u00a0" + words_of_amount(at, kind)
+                                         : as_told(amount(at, kind).value, unit_of(kind));
   }
 }
 

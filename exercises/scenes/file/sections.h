@@ -62,8 +62,8 @@ class SectionReader {
   bool reads_as(const Tree& at, geometry::Kind kind) const;
   geometry::Rational length(const Tree& at) const { return amount(at, geometry::Kind::length).value; }
   geometry::Own own(const Tree& at) const;
-  // As the file has it, or the letters of the given that it is.
-  Words words_of_amount(const Tree& at) const;
+  // The letters of the given that it is; else "8.02°", "3.5 mm", "0.15", the units in which what is found is told.
+  Words words_of_amount(const Tree& at, geometry::Kind kind) const;
   // Told on the sheets beside the givens, unless it is one of these or its opposite; `at` may be none.
   void tell(const Words& what, const Tree* at, geometry::Kind kind) const;
   // Zero where the map does not say it.

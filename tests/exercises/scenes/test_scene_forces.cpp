@@ -634,6 +634,24 @@ TEST_CASE("what a file says in place stands beside its givens, on sheets to be s
   CHECK(given_on(scenes::bytes_of(EPURE_SCENES "/engine.yaml"), "velocities", true).ends_with("g = 9.81 m/s²"));
 }
 
+// Attacked: the check held what a step told as the file has it, 1.5 kN, against 1500 N.
+TEST_CASE("loads, their directions and friction pass the check in any unit", "[scenes]") {
+  const std::string head =
+      "epure: 1\nid: f\ngivens: {r: 100 mm}\nlinks:\n  1: {O: [0, 0], g: {through: [0, 20 mm], along: [1, 0]}}\n"
+      "  2: {O A: r}\n  3: {A B: 330 mm}\n  4: {B: [0, 0], b: {along: [1, 0]}}\nslides: {b: g}\nassembly: {B: ahead "
+      "on g}\n"
+      "drive: {link: 2, angle: 50 deg, speed: 60 rpm}\nloads:\n  - {at: B, on: 4, ";
+  for (const std::string load : {"force: [1.5 kN, 0.3 kN]}", "force: [50.39 daN, -41.2 kgf]}",
+                                 "force: 1.5 kN, direction: 2.5 rad}", "force: 1500 N, direction: 91.25 gon}"})
+    for (const std::string friction :
+         {"{b: 0.14 rad}", "{b: 9.3 gon}", "{b: 0.02 turn, O: 0.35 cm}", "{b: 0.15, A: 0.12 in}", "{b: 1/7}"}) {
+      CAPTURE(load, friction);
+      const CheckedExercise checked = checked_text(head + load + "\nfriction: " + friction + "\n");
+      for (const Complaint& each : checked.failures) UNSCOPED_INFO(each.sentence.english);
+      CHECK(checked.passed());
+    }
+}
+
 // Attacked: weights are asked for, and their numbers stood at arrows too short to be drawn.
 TEST_CASE("on a sheet to be solved no weight is drawn that it asks for", "[scenes]") {
   const auto scene = std::make_shared<const scenes::Scene>("f", scenes::bytes_of(EPURE_SCENES "/engine.yaml"));
