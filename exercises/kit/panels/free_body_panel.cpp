@@ -328,7 +328,7 @@ std::string FreeBodyPanel::letters_of(const Force& force, const Scale& vectors, 
   if (letters == force.label || *force.value < 0) return letters;
   constexpr std::array<const char*, 8> arrows{"→", "↗", "↑", "↖", "←", "↙", "↓", "↘"};
   const double eighths = std::atan2(force.along.y, force.along.x) / (std::numbers::pi / 4);
-  return letters + " " + arrows[static_cast<std::size_t>(std::lround(eighths) + 8) % 8];
+  return letters + "\u2009" + arrows[static_cast<std::size_t>(std::lround(eighths) + 8) % 8];
 }
 
 void FreeBodyPanel::draw_force(Plot& plot, const Force& force, Language language) const {

@@ -327,7 +327,7 @@ class GroupSheet {
     }
     ChainedPolygonsPanel panel(drawn);
     for (const ForceLoop::Between& each : loop.between) {
-      constexpr double along = 0.65;  // clear of its letters
+      constexpr double along = 0.8;  // clear of its letters, and of the numbers of the sides
       const Arrow2 from = corners[each.from];
       const std::string label = arrow_of_force(built_, each.force);
       panel.step(

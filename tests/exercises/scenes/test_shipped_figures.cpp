@@ -171,7 +171,7 @@ TEST_CASE("the letters of forces are told, and where known ones were found", "[s
 
 TEST_CASE("a force too small for an arrow tells its sense: by its sign, or an arrow in its letters", "[scenes]") {
   CHECK(has_label(shipped("cutting-stroke", "forces-5"), "$\\it{N}_{C}$ = −87.8 N"));
-  CHECK(has_label(shipped("engine", "forces"), "$\\it{W}_{4}$ = 8.83 N ↓"));
+  CHECK(has_label(shipped("engine", "forces"), "$\\it{W}_{4}$ = 8.83 N\u2009↓"));
 }
 
 TEST_CASE("couples are clear of supports", "[scenes]") {
