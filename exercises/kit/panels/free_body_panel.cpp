@@ -1,11 +1,13 @@
 #include "exercises/kit/panels/free_body_panel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "drawings/paths/vectors.h"
+#include "exercises/kit/panels/arc_in_the_clear.h"
 #include "exercises/kit/panels/cut_panel.h"
 #include "exercises/kit/panels/short_vectors.h"
 #include "exercises/kit/panels/tracks.h"
@@ -206,6 +208,22 @@ FreeBodyPanel& FreeBodyPanel::couple(const std::string& label, const Place& abou
   return *this;
 }
 
+FreeBodyPanel& FreeBodyPanel::step_at_couple(const Words& text, const Place& about, const std::string& label) {
+  steps_at_couples_.push_back({steps_.size(), about, label});
+  return step(text, about);
+}
+
+std::vector<PanelStep> FreeBodyPanel::steps(const Plot& plot, const drawings::Box&) const {
+  std::vector<PanelStep> all = steps_;
+  for (const StepAtCouple& each : steps_at_couples_)
+    for (const Couple& couple : couples_)
+      if (couple.label == each.label && distance(couple.about, each.about) == 0) {
+        const ArcArrow arc = arc_of(couple);
+        all[each.step].at = on_line(couple.about, direction_of(arc.middle), arc.radius, plot.scale().mm_per_unit);
+      }
+  return all;
+}
+
 FreeBodyPanel& FreeBodyPanel::moments(const Words& text, const Place& about) { return step(text, about); }
 
 double FreeBodyPanel::middle_of(const Couple& couple) const {
@@ -213,7 +231,13 @@ double FreeBodyPanel::middle_of(const Couple& couple) const {
   for (const Force& force : forces_)
     if (distance(force.at, couple.about) == 0)
       occupied.push_back(std::atan2(force.along.y, force.along.x) + (force.ends ? std::numbers::pi : 0));
+  for (const Couple* each = couples_.data(); each != &couple; ++each)
+    if (distance(each->about, couple.about) == 0) occupied.push_back(middle_of(*each));
   return clearest_direction(occupied);
+}
+
+ArcArrow FreeBodyPanel::arc_of(const Couple& couple) const {
+  return {middle_of(couple), couple.sense, couple.label, radius_of(couple), Meaning::force};
 }
 
 // Several about one point stand one outside of the other.
@@ -296,10 +320,15 @@ void FreeBodyPanel::draw_line_of_action(Plot& plot, const Force& force) const {
                Meaning::construction);
 }
 
-// What is too short for an arrow tells its value, where one is reported.
+// What is too short for an arrow tells its value, where one is reported, and its sense: by a sign, or the nearest of
+// eight arrows.
 std::string FreeBodyPanel::letters_of(const Force& force, const Scale& vectors, Language language) const {
   if (unit_.empty() || !force.value) return force.label;
-  return letters_or_value(force.label, std::abs(*force.value), length_of(force, vectors), unit_, language);
+  const std::string letters = letters_or_value(force.label, *force.value, length_of(force, vectors), unit_, language);
+  if (letters == force.label || *force.value < 0) return letters;
+  constexpr std::array<const char*, 8> arrows{"→", "↗", "↑", "↖", "←", "↙", "↓", "↘"};
+  const double eighths = std::atan2(force.along.y, force.along.x) / (std::numbers::pi / 4);
+  return letters + "\u2009" + arrows[static_cast<std::size_t>(std::lround(eighths) + 8) % 8];
 }
 
 void FreeBodyPanel::draw_force(Plot& plot, const Force& force, Language language) const {
@@ -458,7 +487,7 @@ std::vector<drawings::Block> FreeBodyPanel::draw(Plot& plot, const drawings::Box
   }
   for (const Couple& couple : couples_)
     draw_arc_arrow(plot, couple.about,
-                   {middle_of(couple), couple.sense, couple.label, radius_of(couple), Meaning::force});
+                   arc_in_the_clear(arc_of(couple), plot.at(couple.about), plot.onto().sheet.figure.marks));
   return {};
 }
 

@@ -67,6 +67,8 @@ class FreeBodyPanel : public Panel {
   // and of these directions (radians).
   FreeBodyPanel& couple(const std::string& label, const Place& about, double sense,
                         const std::vector<double>& clear_of = {});
+  // A step at the arc of a couple about this point, by its label.
+  FreeBodyPanel& step_at_couple(const Words& text, const Place& about, const std::string& label);
   // An equation of moments, about a point.
   FreeBodyPanel& moments(const Words& text, const Place& about);
 
@@ -79,7 +81,7 @@ class FreeBodyPanel : public Panel {
   drawings::Box extent_of_near(const Scale& lengths, const Scale& vectors) const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language) const override;
   void draw_given(Plot& plot, const drawings::Box&, Language) const override;
-  std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override { return steps_; }
+  std::vector<PanelStep> steps(const Plot& plot, const drawings::Box& room) const override;
 
  private:
   enum class Given { nothing, line, all };
@@ -147,7 +149,8 @@ class FreeBodyPanel : public Panel {
   FreeBodyPanel& add(const PolygonSide& side, const Place& at, Arrow there, Given given);
   bool is_line_otherwise(const Place& X, double direction) const;
   double middle_of(const Couple& couple) const;
-  double radius_of(const Couple& couple) const;   // mm
+  double radius_of(const Couple& couple) const;  // mm
+  ArcArrow arc_of(const Couple& couple) const;
   static double radius_of(const Turned& turned);  // mm
   static double leg_of(const Turned& turned);     // mm
   std::string letters_of(const Force& force, const Scale& vectors, Language language) const;
@@ -174,6 +177,12 @@ class FreeBodyPanel : public Panel {
   std::vector<FrictionCircle> circles_;
   std::vector<Arm> arms_;
   std::vector<PanelStep> steps_;
+  struct StepAtCouple {
+    std::size_t step;
+    Place about;
+    std::string label;
+  };
+  std::vector<StepAtCouple> steps_at_couples_;
   std::string unit_;  // of forces to scale
   double least_reach_ = 0;
   bool is_larger_ = false;

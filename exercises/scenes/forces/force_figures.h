@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -112,6 +113,27 @@ class ForceFigures {
     if (force.kind == ActingForce::Kind::guide) return through(built_.linkage.blocks[index(force.which)].moving);
     return at(force.point);
   }
+  // On a link; where nothing of that tells it, `otherwise`.
+  Place place(const ActingCouple& couple, int link, const Place& otherwise) const {
+    const auto k = index(couple.which);
+    if (couple.kind == ActingCouple::Kind::hinge)
+      return at(JointForces<geometry::Fast>(built_.linkage).hinges[k].point);
+    if (couple.kind == ActingCouple::Kind::guide) return through(built_.linkage.blocks[k].moving);
+    const auto& points = built_.linkage.links[index(link)].points;
+    if (couple.kind == ActingCouple::Kind::drive)
+      for (const geometry::LinkPoint& p : points)
+        if (built_.linkage.links_at(p.point).front() == 0) return at(p.point);
+    if (points.empty()) return otherwise;
+    if (points.size() == 1) return at(points[0].point);
+    return at(points[0].point) + 0.5 * (at(points[1].point) - at(points[0].point));
+  }
+  // Of a link from the middle of its first two points.
+  std::vector<double> directions(int link) const {
+    const auto& points = built_.linkage.links[index(link)].points;
+    if (points.size() < 2) return {};
+    const double along = epure::direction(at(points[0].point), at(points[1].point));
+    return {along, along + std::numbers::pi};
+  }
   Place place(const About& about) const { return about.point != nothing ? at(about.point) : through(about.line); }
   Words about_in_words(const About& about) const {
     if (about.point != nothing) return {letter(about.point), letter(about.point)};
@@ -147,6 +169,9 @@ class ForceFigures {
       side.v = s_.vector(side.quantity);
     }
     side.length = magnitude(side.v);
+    // What has a sign is told with it, as among the results.
+    if (const int sign = is_reversed(built_, force) ? -1 : 1; part == ForcePart::whole && has_sign(force))
+      side.length = sign * s_[side.quantity];
     return side;
   }
   PolygonSide side(const ForceSide& of) const {
@@ -184,6 +209,18 @@ class ForceFigures {
     return forces;
   }
 
+  // On the link it acts on: M_43 where M_34 is reported and acts on the other, as forces have it; or −M_b.
+  std::string label(const ActingCouple& couple) const {
+    const bool is_minus = couple.is_opposite && couple.kind == ActingCouple::Kind::guide;
+    return (is_minus ? "−" : "") + symbol(couple);
+  }
+  // Its letters in an equation.
+  std::string symbol(const ActingCouple& couple) const {
+    if (couple.kind != ActingCouple::Kind::hinge || !couple.is_opposite) return quantity(couple).symbol;
+    const auto hinge = JointForces<geometry::Fast>(built_.linkage).hinges[index(couple.which)];
+    const auto [i, j] = std::minmax(built_.letters.links[index(hinge.by)], built_.letters.links[index(hinge.on)]);
+    return letters_of_hinge_couple(j, i);
+  }
   double value(const ActingCouple& couple) const {
     const double size = couple.kind == ActingCouple::Kind::load
                             ? CGAL::to_double(built_.loads->couples[index(couple.which)].moment)
@@ -207,18 +244,14 @@ class ForceFigures {
     if (couple.kind == ActingCouple::Kind::load)
       if (const LoadName& of = built_.couple_names[index(couple.which)]; of.is_given)
         return CGAL::to_double(s_.givens()[of.name]);
-    return couple.kind == ActingCouple::Kind::load ? value(couple) : s_[quantity(couple).name];
+    const bool is_named_by_link = couple.kind == ActingCouple::Kind::load || couple.kind == ActingCouple::Kind::hinge;
+    return is_named_by_link ? value(couple) : s_[quantity(couple).name];
   }
   double value_of_letters(const ActingForce& force) const {
-    using Kind = ActingForce::Kind;
-    if (force.kind == Kind::load)
+    if (force.kind == ActingForce::Kind::load)
       if (const LoadName& of = built_.force_names[index(force.which)]; of.is_given)
         return CGAL::to_double(s_.givens()[of.name]);
-    if (friction_of(built_, force)) return magnitude(vector(force));
-    if (force.kind == Kind::pin || force.kind == Kind::guide || force.kind == Kind::slid ||
-        force.kind == Kind::cylinder)
-      return s_[name_of_force(built_, force)];
-    return magnitude(vector(force));
+    return has_sign(force) ? s_[name_of_force(built_, force)] : magnitude(vector(force));
   }
   // d'Alembert's force and couple.
   Words inertia_in_words(const ActingForce& force) const {
@@ -240,6 +273,12 @@ class ForceFigures {
   bool has_arm(const Arm& arm) const { return s_.value(arm.length.name).value_or(0) != 0; }
 
  private:
+  // Of lines without friction and of drives: what is reported is no size.
+  bool has_sign(const ActingForce& force) const {
+    using Kind = ActingForce::Kind;
+    const bool is_of_line = force.kind == Kind::pin || force.kind == Kind::guide;
+    return (is_of_line && !friction_of(built_, force)) || force.kind == Kind::slid || force.kind == Kind::cylinder;
+  }
   // A small letter that stands for nothing else: no line of a link, and not gravity.
   std::string next_corner(std::size_t& letter) const {
     const auto& lines = built_.letters.lines;

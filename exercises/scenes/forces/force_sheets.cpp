@@ -5,6 +5,7 @@
 
 #include "exercises/kit/panels/free_body_panel.h"
 #include "exercises/scenes/forces/force_figures.h"
+#include "exercises/scenes/forces/force_letters.h"
 #include "exercises/scenes/forces/group_sheet.h"
 #include "exercises/scenes/forces/signs_in_words.h"
 #include "exercises/scenes/sheets/in_lines.h"
@@ -88,17 +89,16 @@ Words turn_of(const Built& built, const ForceFigures& of, const std::vector<Grou
   return turn + ": " + found_of(built, of, groups[i]) +
          (sheets.empty() ? Words{} : format_words(" ({})", " ({})", sheets)) + ".";
 }
-// Clear of the link, and of what turns it.
-void add_couple(FreeBodyPanel& whole, const Built& built, const ForceFigures& of, int link,
-                const ActingCouple& couple) {
-  const auto& points = built.linkage.links[index(link)].points;
-  const Place O = of.at(points.front().point);
-  std::vector<double> occupied;
-  if (points.size() > 1) {
-    const double along = direction(O, of.at(points[1].point));
+// What drives turns about a hinge of the frame: clear of the link, and of what turns it. Another couple is in the
+// middle of its link, as on the link cut free.
+void add_couple(FreeBodyPanel& whole, const ForceFigures& of, int link, const ActingCouple& couple,
+                const Place& otherwise) {
+  std::vector<double> occupied = of.directions(link);
+  if (couple.kind == ActingCouple::Kind::drive && !occupied.empty()) {
+    const double along = occupied.front();
     occupied = {along, along - std::numbers::pi / 3, along + std::numbers::pi / 3, -std::numbers::pi / 2};
   }
-  whole.couple(of.quantity(couple).symbol, O, of.value(couple), occupied);
+  whole.couple(of.quantity(couple).symbol, of.place(couple, link, otherwise), of.value(couple), occupied);
 }
 
 bool acts_in_a_centre(const Built& built, std::size_t load) {
@@ -137,7 +137,8 @@ PanelSheet overview(const Built& built, const Solution& s, const SheetNumbers& n
     for (const LinkForces& body : group.bodies) {
       for (const ActingCouple& each : body.couples)
         if (each.kind != ActingCouple::Kind::guide && each.kind != ActingCouple::Kind::hinge)
-          add_couple(whole, built, of, body.link, each);
+          add_couple(whole, of, body.link, each,
+                     of.place(body.sought.empty() ? body.known.front() : body.sought.front()));
       for (const ActingForce& force : body.sought) {
         if (!friction_of(built, force)) signs.add(force);
         const std::string name = name_of_force(built, force);
@@ -165,6 +166,7 @@ PanelSheet overview(const Built& built, const Solution& s, const SheetNumbers& n
   }
   add_in_lines(sheet, reactions, 3);
   if (const Words all = signs.all(); !all.empty()) sheet.results.push_back(remark(all.in(language)));
+  sheet.results.push_back(remark(ForceLetters(built).all(groups).in(language)));
   sheet.seen = {"The mechanism with its loads and what drives it",
                 "Il meccanismo con i suoi carichi e ciò che lo muove"};
   sheet.told = efforts;
@@ -183,6 +185,50 @@ bool is_crowded(const GroupForces& group) {
   return known > most;
 }
 
+// What the links of a group are known to bear from groups before, and the sheets that find it.
+std::vector<Section> found_on_other_sheets(const Built& built, const ForceFigures& of,
+                                           const std::vector<GroupForces>& groups, std::size_t i,
+                                           const SheetNumbers& numbers) {
+  Section found;
+  std::vector<Words> sheets;
+  const auto add = [&](const GroupForces& group, Result line) {
+    const std::string name = name_of_sheet(built, group);
+    const Words sheet = numbers.of(is_crowded(group) ? name_of_polygon(name) : name);
+    if (sheet.empty()) return;
+    if (std::find(sheets.begin(), sheets.end(), sheet) == sheets.end()) sheets.push_back(sheet);
+    found.lines.push_back(std::move(line));
+  };
+  const auto told = [&](const ActingForce& force) {
+    if (is_of_links(force)) return components(force_of_two(built, force));
+    std::vector<std::string> names{name_of_force(built, force)};
+    if (const auto* friction = friction_of(built, force))
+      names.insert(names.end(), {contact(built, *friction).normal.name, friction_force(built, *friction).name});
+    return values(names);
+  };
+  for (std::size_t before = 0; before < i; ++before) {
+    for (const LinkForces& body : groups[i].bodies)
+      for (const ActingForce& force : body.known) {
+        const auto is_sought = [&](const LinkForces& other) {
+          return std::any_of(other.sought.begin(), other.sought.end(),
+                             [&](const ActingForce& each) { return each.is_same(force); });
+        };
+        if (std::any_of(groups[before].bodies.begin(), groups[before].bodies.end(), is_sought))
+          add(groups[before], told(force));
+      }
+    for (const Moments& each : groups[before].moments)
+      if (const auto* sought = std::get_if<ActingCouple>(&each.sought))
+        for (const LinkForces& body : groups[i].bodies)
+          if (std::any_of(body.couples.begin(), body.couples.end(), [&](const ActingCouple& couple) {
+                return couple.kind == sought->kind && couple.which == sought->which;
+              }))
+            add(groups[before], values({of.quantity(*sought).name}));
+  }
+  for (const Words& sheet : sheets)
+    found.heading =
+        found.heading + (found.heading.empty() ? Words{"From ", "Dalla "} : Words{" and ", " e dalla "}) + sheet;
+  return found.lines.empty() ? std::vector<Section>{} : std::vector{found};
+}
+
 }  // namespace
 
 std::vector<SheetMaker> force_sheets(const std::shared_ptr<const Scene>& scene, const SheetNumbers& numbers) {
@@ -194,9 +240,12 @@ std::vector<SheetMaker> force_sheets(const std::shared_ptr<const Scene>& scene, 
                       return overview(scene->built(s.givens()), s, numbers, language);
                     }});
   const auto add = [&](const std::string& name, const Words& title, std::size_t i, Shows shows) {
-    sheets.push_back({{name, title}, [scene, i, shows](const Solution& s, Language language) {
+    sheets.push_back({{name, title}, [scene, numbers, i, shows](const Solution& s, Language language) {
                         const Built built = scene->built(s.givens());
-                        return group_sheet(built, s, force_groups(built).at(i), shows, language);
+                        const std::vector<GroupForces> all = force_groups(built);
+                        PanelSheet sheet = group_sheet(built, s, all.at(i), shows, language);
+                        sheet.first = found_on_other_sheets(built, ForceFigures(built, s), all, i, numbers);
+                        return sheet;
                       }});
   };
   for (std::size_t i = 0; i < groups.size(); ++i) {

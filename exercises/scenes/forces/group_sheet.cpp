@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "exercises/kit/panels/chained_polygons_panel.h"
 #include "exercises/kit/panels/free_body_panel.h"
@@ -98,7 +97,7 @@ class GroupSheet {
     for (const auto* forces : {&body.known, &body.sought})
       for (const ActingForce& force : *forces) draw(panel, force, middle);
     for (const ActingCouple& each : body.couples)
-      panel.couple(of_.quantity(each).symbol, place_of_couple(each, body), of_.value(each),
+      panel.couple(of_.label(each), place_of_couple(each, body), of_.value(each),
                    clear_of_link_and_arms(place_of_couple(each, body), body));
     for (const ActingForce& tooth : group_.teeth)
       if (tooth.link == body.link) add_line_of_action(panel, tooth);
@@ -157,24 +156,11 @@ class GroupSheet {
     return JointForces<geometry::Fast>(linkage).hinges[index(couple.which)];
   }
   Place place_of_couple(const ActingCouple& couple, const LinkForces& body) const {
-    if (couple.kind == ActingCouple::Kind::hinge) return of_.at(hinge_of(built_.linkage, couple).point);
-    if (couple.kind == ActingCouple::Kind::guide)
-      return of_.through(built_.linkage.blocks[index(couple.which)].moving);
-    const auto& points = built_.linkage.links[index(body.link)].points;
-    if (couple.kind == ActingCouple::Kind::drive)
-      for (const geometry::LinkPoint& p : points)
-        if (built_.linkage.links_at(p.point).front() == 0) return of_.at(p.point);
-    if (points.empty()) return of_.place(any_force(body));
-    if (points.size() == 1) return of_.at(points[0].point);
-    return of_.at(points[0].point) + 0.5 * (of_.at(points[1].point) - of_.at(points[0].point));
+    return of_.place(couple, body.link, of_.place(any_force(body)));
   }
   // Of the link from a couple's place.
   std::vector<double> directions(const LinkForces& body) const {
-    if (body.link == nothing) return {};
-    const auto& points = built_.linkage.links[index(body.link)].points;
-    if (points.size() < 2) return {};
-    const double along = epure::direction(of_.at(points[0].point), of_.at(points[1].point));
-    return {along, along + std::numbers::pi};
+    return body.link == nothing ? std::vector<double>{} : of_.directions(body.link);
   }
 
   std::vector<double> clear_of_link_and_arms(const Place& couple, const LinkForces& body) const {
@@ -194,13 +180,12 @@ class GroupSheet {
     const std::string rho = "$ρ_{" + point_letters(built_.letters.points[index(point)]) + "}$";
     const Words& given = built_.hinge_friction_names[static_cast<std::size_t>(of - all.begin())].amount;
     const Words radius = given.english == rho ? given : format_words("{} = {}", "{} = {}", rho, given);
-    const std::string M = of_.quantity(couple).symbol, ij = M.substr(M.find('_'));
+    const std::string M = of_.symbol(couple), ij = M.substr(M.find('_'));
     return format_words(
-        "Friction in {0}, radius of its circle {1}: {2} = {3}·$\\it{{R}}{4}, against the turning; so the force "
-        "touches "
-        "the circle.",
-        "Attrito in {0}, raggio del suo cerchio {1}: {2} = {3}·$\\it{{R}}{4}, contro la rotazione; perciò la forza è "
-        "tangente al cerchio.",
+        "Friction in {0}, radius of its circle {1}: |{2}| = {3}·$\\it{{R}}{4}, against the turning; so the force "
+        "touches the circle.",
+        "Attrito in {0}, raggio del suo cerchio {1}: |{2}| = {3}·$\\it{{R}}{4}, contro la rotazione; perciò la forza "
+        "è tangente al cerchio.",
         of_.letter(point), radius, M, rho, ij);
   }
   Words pressed(const GroupForces::Pressed& each) const {
@@ -243,7 +228,7 @@ class GroupSheet {
         each.force.is_opposite ? Words{" Here acts its opposite.", " Qui agisce la sua opposta."} : Words{};
     if (!is_of_block || s_[guide_forces(built_, index(each.force.which)).couple.name] == 0) return turned + opposite;
     return turned + opposite +
-           format_words(" (Of {} no friction is reckoned.)", " (Di {} non si conta l'attrito.)",
+           format_words(" (The couple {} is taken without friction.)", " (La coppia {} si considera senza attrito.)",
                         guide_forces(built_, index(each.force.which)).couple.symbol);
   }
   Words action(const ActingForce& tooth) const {
@@ -299,7 +284,7 @@ class GroupSheet {
     for (const ActingCouple& each : body.couples)
       if (is_told_of(each, body)) {
         const int point = hinge_of(built_.linkage, each).point;
-        panel.step(friction_in(each, point), of_.at(point));
+        panel.step_at_couple(friction_in(each, point), of_.at(point), of_.label(each));
       }
     for (const Moments& each : group_.moments) {
       if (each.link != body.link) continue;
@@ -342,7 +327,7 @@ class GroupSheet {
     }
     ChainedPolygonsPanel panel(drawn);
     for (const ForceLoop::Between& each : loop.between) {
-      constexpr double along = 0.65;  // clear of its letters
+      constexpr double along = 0.8;  // clear of its letters, and of the numbers of the sides
       const Arrow2 from = corners[each.from];
       const std::string label = arrow_of_force(built_, each.force);
       panel.step(
@@ -369,19 +354,39 @@ class GroupSheet {
           if (shows == Shows::all || (shows == Shows::bodies) == (part == ForcePart::across))
             parts.push_back(part_of_force(built_, of_rod->force, part).name);
     }
-    if (shows != Shows::polygons) add_inertia(vectors, scalars, told);
+    std::vector<Result> of_hinges;
+    if (shows != Shows::polygons) {
+      add_inertia(vectors, scalars, told);
+      of_hinges = couples_of_hinges(told);
+    }
     if (shows != Shows::bodies) add_sought(vectors, scalars, told);
     if (shows != Shows::polygons) add_in_lines(sheet, arms, 3);
     add_in_lines(sheet, parts, 2);
     for (const VectorQuantity& each : vectors) sheet.results.push_back(components(each));
     add_in_lines(sheet, scalars, 2);
+    for (Result& each : of_hinges) sheet.results.push_back(std::move(each));
     for (const std::string& each : scalars)
       if (std::find(told.begin(), told.end(), each) == told.end()) told.push_back(each);
     sheet.told = told;
   }
+  // The sense of a part that moments give, where no polygon shows it.
+  Words turns(const Moments& each) const {
+    const auto* of_rod = std::get_if<AcrossRod>(&each.sought);
+    if (!of_rod) return {};
+    const double moment =
+        cross(of_.at(of_rod->pin) - of_.place(each.about), of_.side(of_rod->force, ForcePart::across).v);
+    if (moment == 0) return {};
+    return format_words("{} acts {} about {}.", "La {} agisce in senso {} attorno a {}.",
+                        letters_of_force(built_, of_rod->force, ForcePart::across),
+                        moment > 0 ? Words{"counter-clockwise", "antiorario"} : Words{"clockwise", "orario"},
+                        of_.about_in_words(each.about));
+  }
   void add_signs(PanelSheet& sheet, Shows shows, Language language) const {
+    if (shows == Shows::bodies)
+      for (const Moments& each : group_.moments) sheet.results.push_back(remark(turns(each).in(language)));
     SignsInWords signs(of_, built_);
     for (const LinkForces& body : group_.bodies) {
+      for (const ActingForce& force : body.known) signs.add(force);
       if (shows != Shows::bodies)
         for (const ActingForce& force : body.sought) signs.add(force);
       if (shows != Shows::polygons &&
@@ -403,11 +408,31 @@ class GroupSheet {
         }
     for (const LinkForces& body : group_.bodies)
       for (const ActingCouple& each : body.couples)
-        if (each.kind == ActingCouple::Kind::hinge) {
-          const std::string name = of_.quantity(each).name;
-          if (std::find(scalars.begin(), scalars.end(), name) == scalars.end()) scalars.push_back(name);
-        } else if (each.kind == ActingCouple::Kind::inertia)
+        if (each.kind == ActingCouple::Kind::inertia)
           scalars.push_back(inertia_couple(built_, index(each.which)).name);
+  }
+  // Of friction: "M_34 = −M_43" where the opposite of what is reported is on the sheet.
+  std::vector<Result> couples_of_hinges(Names& told) const {
+    std::vector<Result> all;
+    Names names;
+    const auto add = [&](bool with_opposite) {
+      for (const LinkForces& body : group_.bodies)
+        for (const ActingCouple& each : body.couples) {
+          const Quantity M = of_.quantity(each);
+          if (each.kind != ActingCouple::Kind::hinge || each.is_opposite != with_opposite ||
+              std::find(told.begin(), told.end(), M.name) != told.end())
+            continue;
+          told.push_back(M.name);
+          if (with_opposite)
+            all.push_back(value_as(M.symbol + " = −" + of_.symbol(each), M.name));
+          else
+            names.push_back(M.name);
+        }
+    };
+    add(true);
+    add(false);
+    if (!names.empty()) all.push_back(values(names));
+    return all;
   }
   void add_sought(std::vector<VectorQuantity>& vectors, Names& scalars, Names& told) const {
     for (const LinkForces& body : group_.bodies)

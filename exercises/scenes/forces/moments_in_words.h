@@ -29,7 +29,7 @@ class MomentsInWords {
       return letters_of_force(built_, of_rod->force, ForcePart::across) + "·" + arm + joint;
     }
     if (const auto* arm = std::get_if<Arm>(&moments_.sought)) return product(*arm);
-    return of_.quantity(std::get<ActingCouple>(moments_.sought)).symbol;
+    return of_.symbol(std::get<ActingCouple>(moments_.sought));
   }
   // By which sign what is sought stands among the moments.
   int sign_of_sought() const {
@@ -54,7 +54,7 @@ class MomentsInWords {
     for (const Arm& arm : moments_.arms)
       if (of_.has_arm(arm)) add(of_.moment(arm.force, moments_.about), of_.value_of_letters(arm.force), product(arm));
     for (const ActingCouple& each : moments_.couples)
-      add(of_.value(each), of_.value_of_letters(each), of_.quantity(each).symbol);
+      add(of_.value(each), of_.value_of_letters(each), of_.symbol(each));
     return written;
   }
 

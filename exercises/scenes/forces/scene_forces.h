@@ -93,13 +93,18 @@ inline GuideForces guide_forces(const Built& built, std::size_t block) {
            format_words("couple of {0} on {1}, about the point that {1} is given through",
                         "coppia di {0} su {1}, rispetto al punto per cui {1} è data", g, b)}};
 }
+// Of friction in a hinge, of link i on link j.
+inline std::string letters_of_hinge_couple(int i, int j) {
+  constexpr int two_digits = 10;
+  return "$\\it{M}_{" + std::to_string(i) + (std::max(i, j) < two_digits ? "" : ",") + std::to_string(j) + "}$";
+}
 // The couple of friction in it, of the lower number on the other: "M_34".
 inline Quantity hinge_couple(const Built& built, int by, int on) {
   const auto [i, j] = std::minmax(built.letters.links[index(by)], built.letters.links[index(on)]);
   constexpr int two_digits = 10;
   const std::string a = std::to_string(i), b = std::to_string(j);
   return {
-      "M_" + a + (j < two_digits ? "" : "_") + b, "$\\it{M}_{" + a + (j < two_digits ? "" : ",") + b + "}$", "N*m",
+      "M_" + a + (j < two_digits ? "" : "_") + b, letters_of_hinge_couple(i, j), "N*m",
       format_words("couple of friction of link {} on link {}", "coppia d'attrito del membro {} sul membro {}", i, j)};
 }
 inline bool has_friction(const geometry::Loads& loads, int point) {

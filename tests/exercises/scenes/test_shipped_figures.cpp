@@ -142,6 +142,58 @@ TEST_CASE("which way forces and couples are positive is told", "[scenes]") {
   CHECK(tells(shipped("cutting-stroke", "forces-5"), "Positive: $\\it{N}_{C}$ upwards."));
 }
 
+// Two opposite couples had one name, and the sign against the arrow.
+TEST_CASE("a couple of friction is named by the link it acts on, as its force is", "[scenes]") {
+  const DrawnSheet rod_and_block = shipped("plunger-pump", "forces-3-4"), crank = shipped("plunger-pump", "forces-2");
+  const std::string M_23 = "$\\it{M}_{23}$", M_32 = "$\\it{M}_{32}$", M_34 = "$\\it{M}_{34}$",
+                    M_43 = "$\\it{M}_{43}$";
+  for (const std::string& M : {M_23, M_43, M_34}) CHECK(has_label(rod_and_block, M));
+  CHECK(has_label(crank, M_32));
+  CHECK_FALSE(has_label(crank, M_23));
+  CHECK(tells(rod_and_block, "|" + M_43 + "| = "));
+  CHECK(tells(rod_and_block, "= −" + M_23 + " − " + M_43 + "."));
+  CHECK(tells(rod_and_block, M_34 + " = −" + M_43 + " = 1.939 N m"));
+  CHECK(tells(crank, M_23 + " = −" + M_32 + " = −2.585 N m"));
+}
+
+TEST_CASE("the letters of forces are told, and where known ones were found", "[scenes]") {
+  CHECK(tells(shipped("cutting-stroke", "forces"), "$\\it{N}_{A}$: force of $s$ (link\u00a04) on $A$"));
+  CHECK(tells(shipped("engine", "forces"), "$\\it{N}_{b}$: force of $c$ (link\u00a01) on link\u00a04"));
+  const DrawnSheet crank = shipped("cutting-stroke", "forces-2");
+  const auto is_heading = [](const drawings::Block& block) {
+    const auto* heading = std::get_if<drawings::Heading>(&block);
+    return heading && heading->text == "From sheet 11";
+  };
+  CHECK(std::any_of(crank.sheet.column.begin(), crank.sheet.column.end(), is_heading));
+  CHECK(tells(crank, "$\\it{N}_{A}$\u00a0=\u00a0−2230\u00a0N"));
+  CHECK(tells(crank, "Positive: $\\it{N}_{A}$ to the left"));
+}
+
+TEST_CASE("a force too small for an arrow tells its sense: by its sign, or an arrow in its letters", "[scenes]") {
+  CHECK(has_label(shipped("cutting-stroke", "forces-5"), "$\\it{N}_{C}$ = −87.8 N"));
+  CHECK(has_label(shipped("engine", "forces"), "$\\it{W}_{4}$ = 8.83 N\u2009↓"));
+}
+
+TEST_CASE("couples are clear of supports", "[scenes]") {
+  constexpr double foot = 6.9, half_ground = 5, hatched = 1, pieces = 12;  // mm
+  for (const std::string file : {"cutting-stroke", "loaded-four-bar", "engine", "plunger-pump"}) {
+    const DrawnSheet sheet = shipped(file, "forces");
+    for (const auto& arc : all_of<drawings::Rotation>(sheet)) {
+      if (arc.meaning != drawings::Meaning::force) continue;
+      for (int i = 0; i <= pieces; ++i) {
+        const drawings::Point P =
+            arc.centre + arc.radius * drawings::direction(arc.from + (arc.to - arc.from) * i / pieces);
+        for (const auto& support : all_of<drawings::FixedHinge>(sheet)) {
+          const drawings::Point down = drawings::direction(support.down), base = support.at + foot * down,
+                                side = half_ground * drawings::left_of(down);
+          CAPTURE(file, i);
+          CHECK(to_segment(P, base - side, base + side) > hatched);
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("a load that hangs beside a wheel's middle hangs from where it acts", "[scenes]") {
   const DrawnSheet sheet = shipped("winch", "forces");
   const auto arrows = all_of<drawings::Arrow>(sheet);
