@@ -29,6 +29,7 @@ inline constexpr double leader_crossing = 1.5;  // a line under the leader
 inline constexpr double touch_thin = 45, touch_heavy = 70, inside = 6;  // then a millimetre of line under it
 inline constexpr double stranger = 42;           // nearer to another thing of the kind it names: a leader is better
 inline constexpr double near_stranger = 5;       // as near
+inline constexpr double out_of_window = 30;      // a close-up's letters beyond its frame: a leader within is better
 inline constexpr double past_stranger = 10;      // with a leader across one: a longer one elsewhere is better
 inline constexpr double behind_another = 10;     // a point's or an arc's letters: less than a leader
 inline constexpr double letters_of_another = 6;  // as near to a step's number as what that step drew

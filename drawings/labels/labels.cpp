@@ -46,6 +46,9 @@ class Placement {
   static constexpr std::size_t budget = 20'000'000;
 
   void add_options(std::size_t i, std::vector<Candidate> more) {
+    if (labels_[i].window)
+      for (Candidate& option : more)
+        if (!contains(*labels_[i].window, option.box)) option.cost += price::out_of_window;
     if (labels_[i].naming) add_strangers(*labels_[i].naming, more);
     if (is_number(i)) add_other_steps(labels_[i], more);
     std::vector<Candidate>& options = options_[i];

@@ -30,6 +30,7 @@ struct LabelBox {
   std::optional<Point> to = {};
   std::optional<Point> away_from = {};
   std::optional<Naming> naming = {};  // none: it names nothing
+  std::optional<Box> window = {};     // what it belongs to is drawn in this one: it stands there, if it can
   int step = 0;                       // of the construction, which draws it; 0: it was there before
   // The number of its step: on a line that this one drew, or at a point where lines of other steps may meet.
   enum class Number { no, at_point, on_line } number = Number::no;

@@ -26,6 +26,8 @@ class Canvas {
   // Solid areas (arrow heads, points, blocks) keep labels away; light ones (plates) do not.
   void fill(const Path& path, Colour colour, const std::string& name = {});
   void tint(const Path& path, Colour colour, const std::string& name = {});
+  // Labels keep clear of it, though nothing shows.
+  void keep_clear(const Path& path) { remember(path, 0); }
   // Letters whose place their mark decides (scale bars). Labels keep away from them too.
   void text(const PlacedText& text);
 

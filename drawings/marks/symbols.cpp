@@ -161,6 +161,10 @@ void draw_mark(Canvas& canvas, const Slider& slider) {
   const Point at = slider.at;
   const Path block = polyline({at - along - up, at + along - up, at + along + up, at - along + up}, true);
   if (!slider.is_open) canvas.fill(block, white);
+  // A number of what passes beneath an open one would be taken for the block's.
+  if (slider.is_open)
+    for (const double across : {-0.5, 0.0, 0.5})
+      canvas.keep_clear(segment(at - along + across * up, at + along + across * up));
   canvas.stroke(block, line_style(Meaning::link));
 }
 

@@ -72,6 +72,15 @@ std::optional<Segment> straight_part(const Figure& figure, std::size_t mark, Box
   return clip_segment(path.start, path.pieces.front().end, window);
 }
 
+// The smallest in which this point shows, of a close-up or a chart; none: the drawing area alone.
+std::optional<Box> window_around(const Figure& figure, Point at, Box area) {
+  std::optional<Box> found;
+  for (const Box& window : figure.windows)
+    if (contains(window, at) && !contains(window, area) && (!found || window.width() < found->width()))
+      found = window;
+  return found;
+}
+
 std::vector<Placeable> placeables(const Figure& figure, Box area, const StepsOfMarks& steps) {
   const Namesakes namesakes(figure, figure.labels, area);
   std::vector<Placeable> all;
@@ -83,6 +92,7 @@ std::vector<Placeable> placeables(const Figure& figure, Box area, const StepsOfM
     box.step = steps.labels[i];
     box.naming = namesakes.of(label, box.width);
     if (label.to) std::tie(box.at, box.to) = box.naming->own;
+    if (!label.to) box.window = window_around(figure, label.at, area);
   }
   for (std::size_t i = 0; i < figure.marks.size(); ++i) {
     const auto* dimension = std::get_if<Dimension>(&figure.marks[i]);

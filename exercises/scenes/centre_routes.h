@@ -27,15 +27,26 @@ struct CentreRoutes {
     return {n.x, n.y, omega};
   }
 
+  // The joint of two links one of which rolls on the other, as a wheel does on a wheel or a line: where they touch is
+  // their centre however they move, and at an instant at which they rest, as that of a hinge is. Null: no such joint.
+  const PermanentCentre* touching(std::size_t i, std::size_t j) const {
+    const PermanentCentre* joint = plan->centres.permanent_of(static_cast<int>(i), static_cast<int>(j));
+    return joint && joint->is_of_touching() && !plan->alike.turn_alike(i, j) ? joint : nullptr;
+  }
+
   // Of all pairs of links: what a joint gives, or what `find` finds of the two.
-  template <class T, class OfPoint, class Find>
-  void put_centres(Ledger<T>& ledger, const OfPoint& of_point, const Find& find) const {
+  template <class T, class OfPoint, class OfTouching, class Find>
+  void put_centres(Ledger<T>& ledger, const OfPoint& of_point, const OfTouching& of_touching,
+                   const Find& find) const {
     const std::size_t count = built->linkage.links.size();
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = i + 1; j < count; ++j) {
         const PermanentCentre* joint = plan->centres.permanent_of(static_cast<int>(i), static_cast<int>(j));
         if (!joint || joint->is_of_touching())
-          put_centre(ledger, i, j, [&, i, j] { return find(i, j); });
+          put_centre(ledger, i, j, [&, i, j] {
+            const PermanentCentre* const touch = touching(i, j);
+            return touch ? of_touching(*touch) : find(i, j);
+          });
         else if (joint->point != nothing)
           put_centre(ledger, i, j, [&] { return of_point(joint->point); });
         else

@@ -248,8 +248,11 @@ AtEnd at_end(const Built& built, std::size_t drive, bool is_greatest) {
               Words{"No end: ", "Nessun estremo: "} + endless_in_words(built, drive, range.farthest(is_greatest))};
     const Built there = with_drive_at(built, drive, midpoint(end->at).inf());
     const auto at = range.position_at(*end);
-    return {at, special_in_words(end->step, there, LettersAs::rich_text) +
-                    distance_in_words(there, there.steps[end->step], at)};
+    const auto* rods = std::get_if<TwoRods>(&there.steps[end->step]);
+    return {at,
+            special_in_words(end->step, there, LettersAs::rich_text) +
+                distance_in_words(there, there.steps[end->step], at),
+            rods ? std::optional(*rods) : std::nullopt};
   } catch (const Undecided& open) {
     return {{}, Words{"Not decided: ", "Non deciso: "} + open.words()};
   } catch (const Impossible& none) {

@@ -25,7 +25,8 @@ std::vector<RouteValue> ranges(const Built& built, const std::vector<std::string
 // The mechanism at an end of the range, and what stops it there; or why there is none, or it is not told.
 struct AtEnd {
   std::optional<geometry::LinkagePosition<geometry::Bounded>> position;
-  Words words;  // rich text
+  Words words;                                 // rich text
+  std::optional<geometry::TwoRods> rods = {};  // that lie in one line there, if it is two
 };
 AtEnd at_end(const Built& built, std::size_t drive, bool is_greatest);
 

@@ -81,6 +81,9 @@ struct SceneRoutes {
       ledger.put(described(offset), constructed.carried_out.left_in_plane(offset.line, offset.point, at));
     centres_of.put_centres(
         ledger, [&](int point) { return projective(at.points[index(point)]); },
+        [&](const PermanentCentre& touch) {
+          return Centres<T>(plan->centres.leading_to(touch.i, touch.j), built->linkage, at).of(touch.i, touch.j);
+        },
         [&](std::size_t i, std::size_t j) {
           const PlaneMotion<T>&a = motion.get().links[i], &b = motion.get().links[j];
           return centres_of.at_rest_against(a.omega - b.omega, centres_of.of_origin(a) - centres_of.of_origin(b));
@@ -177,6 +180,21 @@ struct SceneRoutes {
           const Complex<T> z = state(point, UpTo::place).z;
           return ProjectivePoint<T>{z.re, z.im, T(1)};
         },
+        [&](const PermanentCentre& touch) {
+          const Linkage& of = built->linkage;
+          if (touch.gear != nothing) {
+            const MeshingLinks& gear = of.gears[index(touch.gear)];
+            const Complex<T> P = analytic::point_of(link(index(gear.carrier), UpTo::place), of.pitch_point(gear)).z;
+            return ProjectivePoint<T>{P.re, P.im, T(1)};
+          }
+          // A radius from the centre, square to the line.
+          const RollingWheel& roll = of.rolls[index(touch.roll)];
+          const LinkState<T>& guide = link(index(of.link_of_line(roll.line)), UpTo::place);
+          const Complex<T> P =
+              state(roll.centre, UpTo::place).z -
+              from_rational<T>(roll.radius) * analytic::times_i(analytic::direction(of.line(roll.line), guide));
+          return ProjectivePoint<T>{P.re, P.im, T(1)};
+        },
         [&](std::size_t i, std::size_t j) {
           // v + i ω (P - O) = 0 of the difference.
           const LinkState<T>&a = link(i, UpTo::velocity), &b = link(j, UpTo::velocity);
@@ -204,9 +222,11 @@ struct SceneRoutes {
     const auto put = [&](int of, int against) {
       const auto i = index(of), j = index(against);
       centres_of.put_centre(ledger, i, j, [&, i, j, of, against] {
-        const auto &a = constructed.motion.get().links[i], &b = constructed.motion.get().links[j];
-        centres_of.demand_motion(
-            i, j, centres_of.at_rest_against(a.omega - b.omega, centres_of.of_origin(a) - centres_of.of_origin(b)));
+        if (!centres_of.touching(i, j)) {
+          const auto &a = constructed.motion.get().links[i], &b = constructed.motion.get().links[j];
+          centres_of.demand_motion(
+              i, j, centres_of.at_rest_against(a.omega - b.omega, centres_of.of_origin(a) - centres_of.of_origin(b)));
+        }
         return centres.get().of(of, against);
       });
     };

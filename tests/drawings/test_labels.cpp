@@ -417,3 +417,25 @@ TEST_CASE("distances between boxes and segments agree with sampling") {
     CHECK(gap(box, a, b) == Approx(least).margin(0.01));
   }
 }
+
+// A ray that ends before the frame of a close-up: its letters would stand beyond the frame.
+TEST_CASE("letters stand in the window in which what they name shows") {
+  const Box window{middle(a4_area), middle(a4_area) + Point{60, 60}};
+  const Point at = window.low + Point{2, 30};
+  const auto placed = [&](bool in_window) {
+    LabelBox label{.width = 11, .height = 3, .at = at, .away_from = at + Point{20, 0}};
+    if (in_window) label.window = window;
+    Obstacles obstacles(a4_area);
+    obstacles.add({window.low, {window.low.x, window.high.y}});
+    return place_labels({label}, obstacles, a4_area).front();
+  };
+  CHECK_FALSE(contains(window, placed(false).box));
+  CHECK(contains(window, placed(true).box));
+  Figure figure;
+  figure.windows = {window};
+  figure.marks = {
+      Line{polyline({window.low, {window.high.x, window.low.y}, window.high, {window.low.x, window.high.y}}, true),
+           Meaning::dimension}};
+  figure.labels = {{"far off to P", at, {}, Meaning::text, at + Point{20, 0}}};
+  CHECK(contains(window, boxes(figure).at(0)));
+}

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <type_traits>
 #include <utility>
@@ -236,16 +237,44 @@ drawings::Point place_of_label(const drawings::Label& label) {
   return {(label.at.x + to.x) / 2, (label.at.y + to.y) / 2};
 }
 
-// The symbol of an arc stands beside it, away from its centre.
+// The symbol of an arc stands at its middle, away from its centre; letters of a joint may be as far from that.
 bool is_symbol_of(const drawings::Label& label, const drawings::Mark& mark) {
-  constexpr double beside = 1.5;  // mm
-  const auto stands_at = [&](const drawings::Point& centre, double radius) {
+  constexpr double same = 1e-3;  // mm
+  const auto stands_at = [&](const drawings::Point& centre, double radius, double middle) {
     return label.away_from && label.away_from->x == centre.x && label.away_from->y == centre.y &&
-           std::hypot(label.at.x - centre.x, label.at.y - centre.y) < radius + beside;
+           drawings::distance(label.at, centre + radius * drawings::direction(middle)) < same;
   };
-  if (const auto* arrow = std::get_if<drawings::Rotation>(&mark)) return stands_at(arrow->centre, arrow->radius);
-  if (const auto* arc = std::get_if<drawings::AngleMark>(&mark)) return stands_at(arc->at, arc->radius);
+  if (const auto* arrow = std::get_if<drawings::Rotation>(&mark))
+    return stands_at(arrow->centre, arrow->radius, (arrow->from + arrow->to) / 2);
+  if (const auto* arc = std::get_if<drawings::AngleMark>(&mark))
+    return stands_at(arc->at, arc->radius, (arc->from + arc->to) / 2);
   return false;
+}
+
+// Of a mechanism's joints, and of points of its bodies.
+std::optional<drawings::Point> place_of_joint(const drawings::Mark& mark) {
+  const auto* dot = std::get_if<drawings::Dot>(&mark);
+  const bool is_joint = std::holds_alternative<drawings::Hinge>(mark) ||
+                        std::holds_alternative<drawings::FixedHinge>(mark) || (dot && dot->meaning == Meaning::link);
+  return is_joint ? place_of(mark) : std::nullopt;
+}
+
+// The joints drawn since that the whole shows too: no other is so near that it cannot be told from this one.
+std::vector<drawings::Point> joints_alone(const drawings::Figure& figure, const DrawnSoFar& before) {
+  std::vector<drawings::Point> all, alone;
+  for (std::size_t i = before.marks; i < figure.marks.size(); ++i)
+    if (const auto at = place_of_joint(figure.marks[i])) all.push_back(*at);
+  std::copy_if(all.begin(), all.end(), std::back_inserter(alone), [&](const drawings::Point& one) {
+    return std::none_of(all.begin(), all.end(), [&](const drawings::Point& other) {
+      const double apart = drawings::distance(one, other);
+      return apart > 0 && apart < joints_told_apart;
+    });
+  });
+  return alone;
+}
+bool is_one_of(const std::vector<drawings::Point>& all, const drawings::Point& P) {
+  return std::any_of(all.begin(), all.end(),
+                     [&](const drawings::Point& each) { return drawings::distance(each, P) == 0; });
 }
 
 using PaperEnds = std::pair<std::pair<double, double>, std::pair<double, double>>;
@@ -474,6 +503,7 @@ void leave_to_close_up(const PlacedPanel& close_up, const PlacedPanel& whole, co
   drawings::Figure& figure = onto.sheet.figure;
   std::set<std::size_t> marks, labels, measurements;
   std::set<PaperEnds> vectors, stay;
+  const std::vector<drawings::Point> alone = joints_alone(figure, before);
   for (std::size_t i = before.marks; i < figure.marks.size(); ++i) {
     if (leads_out(figure.marks[i])) {
       const auto& arrow = std::get<drawings::Arrow>(figure.marks[i]);
@@ -482,6 +512,7 @@ void leave_to_close_up(const PlacedPanel& close_up, const PlacedPanel& whole, co
     }
     const auto at = place_of(figure.marks[i]);
     if (!at || !drawings::contains(seen, *at)) continue;
+    if (place_of_joint(figure.marks[i]) && is_one_of(alone, *at)) continue;
     marks.insert(i);
     if (const auto* arrow = std::get_if<drawings::Arrow>(&figure.marks[i]))
       vectors.insert(paper_ends(arrow->from, arrow->to));
@@ -490,6 +521,7 @@ void leave_to_close_up(const PlacedPanel& close_up, const PlacedPanel& whole, co
     const drawings::Label& label = figure.labels[i];
     const drawings::Point to = label.to.value_or(label.at);
     if (stay.contains(paper_ends(label.at, to))) continue;
+    if (!label.to && label.ink == Meaning::text && is_one_of(alone, label.at)) continue;
     if (drawings::contains(seen, place_of_label(label)) || vectors.contains(paper_ends(label.at, to)) ||
         std::any_of(marks.begin(), marks.end(),
                     [&](std::size_t mark) { return is_symbol_of(label, figure.marks[mark]); }))

@@ -1,6 +1,6 @@
 // A mechanism of which some joints lie so close together, beside others far away, that they are one blot at the scale
 // that shows all, or a polygon of which some corners do: a part of its picture is drawn again, larger, in a frame.
-// The whole shows the frame too, and within it lines alone: symbols and letters do not shrink.
+// The whole shows the frame too, and within it lines and joints that stand alone: symbols and letters do not shrink.
 #pragma once
 
 #include <memory>
@@ -60,7 +60,8 @@ struct DrawnSoFar {
         measurements(onto.measurements.size()) {}
   std::size_t marks, labels, measurements;
 };
-// Of what was drawn of the whole since, the symbols, vectors and letters that its close-up shows are taken away.
+// Of what was drawn of the whole since, the symbols, vectors and letters that its close-up shows are taken away; but
+// for joints with no other so near that they could not be told apart, and their letters.
 void leave_to_close_up(const PlacedPanel& close_up, const PlacedPanel& whole, const DrawnSoFar& before,
                        DrawnSheet& onto);
 

@@ -11,6 +11,13 @@ namespace {
 
 constexpr Place plane_origin{0, 0};
 
+void draw_body(Plot& plot, const std::vector<Place>& corners) {
+  if (corners.size() > 2)
+    plot.polygon(corners, Meaning::construction);
+  else
+    plot.segment(corners.front(), corners.back(), Meaning::construction);
+}
+
 }  // namespace
 
 LocusPanel::LocusPanel(std::shared_ptr<const Mechanism> mechanism, std::string point, std::vector<Position> positions,
@@ -74,6 +81,8 @@ drawings::Box LocusPanel::extent(const Scale& scale, const Scale&) const {
   mechanism_->include(extent, scale);
   for (const Position& position : positions_) {
     for (const Place& corner : position.body) extent.include(scale, corner, 1);
+    for (const std::vector<Place>& body : position.others)
+      for (const Place& corner : body) extent.include(scale, corner, 1);
     for (const Numbered& point : position.points) extent.include(scale, point.at, letters);
   }
   return extent.box();
@@ -86,17 +95,16 @@ void LocusPanel::draw_positions(Plot& plot) const {
   std::vector<Numbered> all;
   for (const Position& position : positions_) {
     if (shows_ != Shows::close_up) {
-      if (position.body.size() > 2)
-        plot.polygon(position.body, Meaning::construction);
-      else
-        plot.segment(position.body.front(), position.body.back(), Meaning::construction);
+      draw_body(plot, position.body);
+      for (const std::vector<Place>& body : position.others) draw_body(plot, body);
     }
     for (const Numbered& point : position.points) {
       if (shows_ == Shows::close_up && !is_on_path(point)) continue;
       plot.dot(point.at, point.ink);
       if (shows_ == Shows::whole && is_on_path(point)) continue;
       const auto same = std::find_if(all.begin(), all.end(), [&](const Numbered& other) {
-        return other.ink == point.ink && distance(other.at, point.at) * plot.scale().mm_per_unit < together;
+        return other.ink == point.ink && other.series == point.series &&
+               distance(other.at, point.at) * plot.scale().mm_per_unit < together;
       });
       if (same == all.end())
         all.push_back(point);

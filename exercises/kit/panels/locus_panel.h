@@ -16,15 +16,18 @@ namespace epure {
 
 class LocusPanel : public Panel {
  public:
-  // Of the body: a segment or a plate. Its number stands at every point that is numbered, away from another.
+  // Of the body: a segment or a plate. Its number stands at every point that is numbered, away from another. What has
+  // several numbers, where a point comes by again, has those of one series together.
   struct Numbered {
     std::string label;
     Place at, away_from;
     Meaning ink = Meaning::construction;
+    int series = 0;
   };
   struct Position {
     std::vector<Place> body;
     std::vector<Numbered> points;
+    std::vector<std::vector<Place>> others = {};  // bodies too, of a point that is their joint
   };
   // Traces and draws within a box of the paper.
   using DrawCurve = std::function<geometry::Trace(Plot&, const drawings::Box& room)>;

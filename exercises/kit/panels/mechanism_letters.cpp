@@ -43,6 +43,20 @@ void draw_leg(Plot& plot, const Place& vertex, double direction, double radius) 
   plot.segment(vertex, vertex + length * Arrow2{std::cos(direction), std::sin(direction)}, Meaning::construction);
 }
 
+// Where links of one body cross those of others between their ends: a number there could be either's.
+std::vector<Place> crossings(const std::vector<std::pair<Place, Place>>& own,
+                             const std::vector<std::pair<Place, Place>>& others) {
+  std::vector<Place> all;
+  for (const auto& [A, B] : own)
+    for (const auto& [C, D] : others) {
+      const double turn = cross(B - A, D - C);
+      if (turn == 0) continue;
+      const double on_own = cross(C - A, D - C) / turn, on_other = cross(C - A, B - A) / turn;
+      if (on_own > 0 && on_own < 1 && on_other > 0 && on_other < 1) all.push_back(A + on_own * (B - A));
+    }
+  return all;
+}
+
 // In the middle of a body, or a little off it where another point is near: halfway from there to a corner.
 Place place_of_number(const std::vector<Place>& corners, const std::vector<Place>& points) {
   Place middle{0, 0};
@@ -156,6 +170,8 @@ void Mechanism::draw_numbers(Plot& plot) const {
       for (const double side : {-beside_number, 0.0, beside_number})  // and the number of the frame
         all.push_back(P.at + (below_support + middle_of_number) * down + side * geometry::quarter_turn(down));
     }
+    const std::vector<Place> met = crossings(edges({body}), edges(bodies_));
+    all.insert(all.end(), met.begin(), met.end());
     begin_step_of(plot, body.points);
     plot.label(std::to_string(body.number), place_of_number(corners, all), middle());
   }

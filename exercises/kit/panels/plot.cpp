@@ -99,10 +99,21 @@ std::optional<drawings::Point> support_at(const std::vector<drawings::Mark>& mar
   return {};
 }
 
+// Whether a vector stands there already, along this one.
+bool is_taken(const drawings::Mark& mark, drawings::Point from, drawings::Point to) {
+  constexpr double one_line = 1;  // mm
+  const auto* vector = std::get_if<drawings::Arrow>(&mark);
+  const auto is_near = [&](drawings::Point end, drawings::Point p, drawings::Point q) {
+    return drawings::distance(end, drawings::nearest_on(p, q, end)) < one_line;
+  };
+  return vector && ((is_near(from, vector->from, vector->to) && is_near(to, vector->from, vector->to)) ||
+                    (is_near(vector->from, from, to) && is_near(vector->to, from, to)));
+}
+
 // How far aside a vector stands that a link would hide: on the side to which it leans, joined to the point it
-// belongs to. Past the link's end it keeps clear of the hinge there, and stands on the side that its support leaves
-// free. Where lines of the construction lead to its tip it stays there, and at the tip of another vector too: they
-// are sides of a polygon.
+// belongs to; twice as far where another stands already. Past the link's end it keeps clear of the hinge there, and
+// stands on the side that its support leaves free. Where lines of the construction lead to its tip it stays there,
+// and at the tip of another vector too: they are sides of a polygon.
 drawings::Point aside(const std::vector<drawings::Mark>& marks, drawings::Point from, drawings::Point to) {
   constexpr double beside_link = 1.3, beside_hinge = 2.4, shortest = 4;  // mm
   const drawings::Point v = to - from;
@@ -118,7 +129,11 @@ drawings::Point aside(const std::vector<drawings::Mark>& marks, drawings::Point 
       const auto support = runs_past(way, v) ? support_at(marks, from + way) : std::nullopt;
       const bool is_left = support ? dot(*support, drawings::left_of(v)) < 0 : dot(v, drawings::left_of(way)) >= 0;
       const double by = runs_past(way, v) ? beside_hinge : beside_link;
-      return (is_left ? by : -by) * drawings::left_of(drawings::unit({}, v));
+      const drawings::Point shift = (is_left ? by : -by) * drawings::left_of(drawings::unit({}, v));
+      const bool is_second = std::any_of(marks.begin(), marks.end(), [&](const drawings::Mark& other) {
+        return is_taken(other, from + shift, to + shift);
+      });
+      return (is_second ? 2 : 1) * shift;
     }
   }
   return {0, 0};

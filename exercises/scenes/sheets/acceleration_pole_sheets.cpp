@@ -83,7 +83,8 @@ PanelSheet pole_sheet(const Scene& scene, const Solution& s, std::size_t which, 
     sheet.told.push_back(acceleration(X).name);
     sheet.results.push_back(components(acceleration(X)));
   }
-  sheet.results.push_back(coordinates({{kind.letters, kind.pole}}));
+  sheet.results.push_back(table({from_origin(built, language), "$x$ (m)", "$y$ (m)"},
+                                {{kind.letters, {kind.pole + "_x", kind.pole + "_y"}}}));
   sheet.seen = format_words("The mechanism, and the point of link {} that has no acceleration now",
                             "Il meccanismo, e il punto del membro {} che ora non ha accelerazione", link);
   return sheet;

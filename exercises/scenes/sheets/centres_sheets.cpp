@@ -8,6 +8,7 @@
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/scenes/scene_routes.h"
 #include "exercises/scenes/sheets/centres_panel.h"
+#include "exercises/scenes/sheets/in_lines.h"
 #include "exercises/scenes/sheets/scene_figure.h"
 #include "geometry/linkages/centre_plan.h"
 
@@ -130,6 +131,16 @@ class CentresOfScene {
     DrawnCentre drawn = begun(i, j);
     drawn.lines = {{on_line(i, k), on_line(k, j)}, {on_line(i, l), on_line(l, j)}};
     const Words one = line_in_words(i, k, j), other = line_in_words(i, l, j);
+    const auto is_at_infinity = [](const std::pair<OnLine, OnLine>& line) {
+      return line.first.towards && line.second.towards;
+    };
+    for (const auto& [line, finite, via] : {std::tuple(drawn.lines[0], other, k), {drawn.lines[1], one, l}})
+      if (!drawn.at && is_at_infinity(line)) {
+        drawn.step = format_words("{} at infinity along {}: {} and {} are at infinity too.",
+                                  "{} all'infinito lungo {}: lo sono anche {} e {}.", drawn.letters, finite,
+                                  letters(i, via), letters(via, j));
+        return drawn;
+      }
     drawn.step = drawn.at ? format_words("{} where {} and {} meet.", "{} dove si incontrano {} e {}.", drawn.letters,
                                          one, other)
                           : format_words("{} at infinity: {} and {} are parallel.",
@@ -171,7 +182,8 @@ Words found_on_other_sheets(const std::vector<DrawnCentre>& all, const std::vect
   return told;
 }
 
-PanelSheet centres_sheet(const Scene& scene, const Solution& s, std::size_t page, const SheetNumbers& numbers) {
+PanelSheet centres_sheet(const Scene& scene, const Solution& s, std::size_t page, Language language,
+                         const SheetNumbers& numbers) {
   const Built built = scene.built(s.givens());
   const CentrePlan plan = centre_plan_of(built);
   const CentresOfScene centres(built, plan, s);
@@ -184,12 +196,12 @@ PanelSheet centres_sheet(const Scene& scene, const Solution& s, std::size_t page
   std::vector<Place> points;
   for (const std::string& P : built.letters.points) points.push_back(s.place(P));
   PanelSheet sheet;
-  std::vector<std::pair<std::string, std::string>> rows;
+  std::vector<Row> rows;
   for (const DrawnCentre& centre : shown) {
-    rows.emplace_back(centre.letters, centre.quantity);
-    for (const char* axis : {"_x", "_y"}) sheet.told.push_back(centre.quantity + axis);
+    rows.push_back({centre.letters, {centre.quantity + "_x", centre.quantity + "_y"}});
+    sheet.told.insert(sheet.told.end(), rows.back().names.begin(), rows.back().names.end());
   }
-  if (!rows.empty()) sheet.results.push_back(coordinates(rows));
+  if (!rows.empty()) sheet.results.push_back(table({from_origin(built, language), "$x$ (m)", "$y$ (m)"}, rows));
   sheet.panels = panels(CentresPanel(std::make_shared<const Mechanism>(figure_of(built, s)), std::move(points),
                                      std::move(shown), before));
   sheet.seen = {"The mechanism, and the instant centres of its links with the lines on which they lie",
@@ -208,9 +220,10 @@ std::vector<SheetMaker> centres_sheets(const std::shared_ptr<const Scene>& scene
   for (std::size_t page = 0; page < pages; ++page) {
     const std::string number = std::to_string(page + 1);
     const Words title{"Instant centres", "Centri di istantanea rotazione"};
-    sheets.push_back(
-        {{name_of_page(page), pages == 1 ? title : title + " (" + number + ")"},
-         [scene, page, numbers](const Solution& s, Language) { return centres_sheet(*scene, s, page, numbers); }});
+    sheets.push_back({{name_of_page(page), pages == 1 ? title : title + " (" + number + ")"},
+                      [scene, page, numbers](const Solution& s, Language language) {
+                        return centres_sheet(*scene, s, page, language, numbers);
+                      }});
   }
   return sheets;
 }

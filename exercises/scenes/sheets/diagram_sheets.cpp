@@ -24,9 +24,9 @@ class DiagramPanel : public VectorsPanel {
     for (const std::string& X : points) vectors_.insert({X, {mechanism->at(X), solution.vector(vector(X).name)}});
   }
 
-  // The terms of a sum are thin, from where the sum begins to its tip.
+  // The terms of a sum are thin, from where the sum begins to its tip: drawn before it, which then is not set aside
+  // from the triangle that it closes.
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
-    std::vector<drawings::Block> told = VectorsPanel::draw(plot, room, language);
     for (const MotionStep& step : steps_) {
       const auto sum = vectors_.find(step.of), first = vectors_.find(step.from);
       if (sum == vectors_.end() || first == vectors_.end()) continue;
@@ -35,7 +35,7 @@ class DiagramPanel : public VectorsPanel {
       plot.segment(X, corner, Meaning::construction);
       plot.segment(corner, plot.tip(X, v), Meaning::construction);
     }
-    return told;
+    return VectorsPanel::draw(plot, room, language);
   }
 
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override {

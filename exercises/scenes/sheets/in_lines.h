@@ -1,4 +1,4 @@
-// Quantities that a sheet tells, so many on a line.
+// Quantities that a sheet tells, so many on a line, and from where and which way they count.
 #pragma once
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exercises/kit/panels/panel_sheet.h"
+#include "exercises/scenes/scene.h"
 
 namespace epure::scenes {
 
@@ -16,5 +17,13 @@ inline void add_in_lines(PanelSheet& sheet, const std::vector<std::string>& name
 
 // By which sense ω and α are positive.
 inline const Words positive_rates{"Positive: counter-clockwise.", "Positivo: il verso antiorario."};
+
+// From where coordinates count, if a point of the frame is there: the head of the column of what they are of. (Where
+// none is, the figure shows the axes.)
+inline std::string from_origin(const Built& built, Language language) {
+  const int origin = point_at(built, 0, {0, 0});
+  if (origin == geometry::nothing) return {};
+  return Words{"from ", "da "}.in(language) + "$" + point_letters(built.letters.points[index(origin)]) + "$";
+}
 
 }  // namespace epure::scenes

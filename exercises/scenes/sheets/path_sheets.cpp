@@ -13,6 +13,7 @@
 #include "exercises/scenes/kept_by_givens.h"
 #include "exercises/scenes/reached.h"
 #include "exercises/scenes/sheets/scene_figure.h"
+#include "geometry/linkages/assur_groups.h"
 #include "geometry/linkages/every_place.h"
 
 namespace epure::scenes {
@@ -30,6 +31,9 @@ class PathOfScene {
         point_(point),
         carrier_(carrier()),
         driven_(driven()),
+        pins_(pins()),
+        found_(found_before()),
+        drawn_(drawn()),
         way_(*built_),
         places_(built_->linkage, built_->steps),
         reached_(reached(*built_, point_)) {
@@ -52,16 +56,18 @@ class PathOfScene {
   }
 
   std::vector<PanelStep> steps(const Solution& s) const {
-    const auto place = [&](std::size_t share, std::size_t which) -> std::optional<Place> {
+    const auto place = [&](std::size_t share, Meaning ink) -> std::optional<Place> {
       if (positions_.empty()) return {};
       const auto& points = positions_[positions_.size() * share / shown_directions].points;
-      return points[std::min(which, points.size() - 1)].at;
+      const auto one = std::find_if(points.begin(), points.end(),
+                                    [&](const LocusPanel::Numbered& each) { return each.ink == ink; });
+      return (one == points.end() ? points.front() : *one).at;
     };
-    std::vector<PanelStep> all{{drive_in_words(), place(7, 0)}};
-    if (const Words between = joints_in_words(); !between.empty()) all.push_back({between, place(2, 1)});
+    std::vector<PanelStep> all{{drive_in_words(), place(7, Meaning::construction)}};
+    if (const Words between = joints_in_words(); !between.empty()) all.push_back({between, place(2, Meaning::locus)});
     all.push_back({format_words("The curve through the points: the path of {}.",
                                 "La curva per i punti: la traiettoria di {}.", written(point_)),
-                   place(5, 1)});
+                   place(5, Meaning::locus)});
     all.push_back({centre_in_words(s), s.point(centre_of_curvature(name()).name)});
     return all;
   }
@@ -109,6 +115,54 @@ class PathOfScene {
     return linkage().links_at(cylinder.to).front() != 0 ? cylinder.to : cylinder.from;
   }
 
+  // The pins of the rods whose joint the point is, about which its arcs are; none: its link carries it.
+  std::vector<int> pins() const {
+    for (const geometry::Step& step : built_->steps) {
+      if (const auto* rods = std::get_if<geometry::TwoRods>(&step); rods && rods->joint == point_)
+        return {rods->first.pin, rods->second.pin};
+      if (const auto* rod = std::get_if<geometry::RodAndTrack>(&step); rod && rod->joint == point_)
+        return {rod->rod.pin};
+    }
+    return {};
+  }
+  bool joins_links(int p) const {
+    return linkage().links_at(p).size() > 1 ||
+           std::any_of(linkage().pins.begin(), linkage().pins.end(),
+                       [&](const geometry::PinOnLine& pin) { return pin.point == p; });
+  }
+  // What is found in each position before the point: those pins, or the joints of its link.
+  std::vector<int> found_before() const {
+    std::vector<int> all = pins_;
+    if (all.empty())
+      for (const LinkPoint& p : linkage().links[index(carrier_)].points)
+        if (joins_links(p.point)) all.push_back(p.point);
+    std::erase_if(all, [&](int p) {
+      return driven_ == point_ || p == driven_ || p == point_ || linkage().links_at(p).front() == 0;
+    });
+    return all;
+  }
+  // The bodies that are drawn in each position: the rods, or the link; of a plate one side, from a hinge to the
+  // point, as all would be a thicket.
+  std::vector<std::vector<int>> drawn() const {
+    std::vector<std::vector<int>> all;
+    for (const int pin : pins_) all.push_back({pin, point_});
+    if (!all.empty()) return all;
+    const std::vector<LinkPoint>& own = linkage().links[index(carrier_)].points;
+    std::vector<int> points;
+    for (const LinkPoint& p : own) points.push_back(p.point);
+    const bool has_driven =
+        driven_ != point_ && std::any_of(points.begin(), points.end(), [&](int p) { return p == driven_; });
+    if (!are_in_line(own) && (has_driven || !found_.empty()))
+      points = {has_driven ? *driven_ : found_.front(), point_};
+    return {points};
+  }
+  static bool are_in_line(const std::vector<LinkPoint>& points) {
+    const geometry::Own &A = points.front().at, &B = points.back().at;
+    return std::all_of(points.begin(), points.end(), [&](const LinkPoint& p) {
+      return (B.x - A.x) * (p.at.y - A.y) == (B.y - A.y) * (p.at.x - A.x);
+    });
+  }
+
   geometry::DriveAt<Fast> turned_to(double angle) const {
     return {0, {std::cos(angle), std::sin(angle)}, 0, places_.turns()};
   }
@@ -132,7 +186,10 @@ class PathOfScene {
     if (!at) return;
     LocusPanel::Position position;
     const auto place = [&](int p) { return at->points[index(p)]; };
-    for (const LinkPoint& p : linkage().links[index(carrier_)].points) position.body.push_back(place(p.point));
+    for (const std::vector<int>& body : drawn_) {
+      std::vector<Place>& corners = position.body.empty() ? position.body : position.others.emplace_back();
+      for (const int p : body) corners.push_back(place(p));
+    }
     const std::string label = std::to_string(number);
     const Place P = place(point_);
     Place middle{0, 0};
@@ -142,6 +199,7 @@ class PathOfScene {
     if (driven_ && *driven_ != point_)
       position.points.push_back({label, place(*driven_), hinge_of_driven(*at), Meaning::construction});
     position.points.push_back({label, P, middle, Meaning::locus});
+    for (const int p : found_) position.points.push_back({label, place(p), P, Meaning::construction, 1 + p});
     positions_.push_back(std::move(position));
   }
   Place hinge_of_driven(const geometry::LinkagePosition<Fast>& at) const {
@@ -180,6 +238,25 @@ class PathOfScene {
            positions_of_driven() + ".";
   }
 
+  // How gears turn what the point is found from: the first pair that does.
+  Words gears_in_words() const {
+    std::vector<int> turned{carrier_};
+    for (const int p : found_)
+      for (const int link : linkage().links_at(p)) turned.push_back(link);
+    const auto has = [&](int link) { return std::find(turned.begin(), turned.end(), link) != turned.end(); };
+    for (const geometry::MeshingLinks& gear : linkage().gears)
+      if (has(gear.first) || has(gear.second))
+        return format_words("Wheels {} and {} roll on each other, equal arcs of their pitch circles",
+                            "Le ruote {} e {} rotolano l'una sull'altra, archi uguali delle primitive",
+                            built_->letters.links[index(gear.first)], built_->letters.links[index(gear.second)]);
+    return {};
+  }
+  std::vector<std::string> written(const std::vector<int>& points) const {
+    std::vector<std::string> all;
+    for (const int p : points) all.push_back(written(p));
+    return all;
+  }
+
   // The joints that are found in each position until the point is.
   Words joints_in_words() const {
     if (point_ == driven_) return {};
@@ -194,12 +271,22 @@ class PathOfScene {
         if (is_joint || std::find(placed.begin(), placed.end(), number) != placed.end()) break;
       }
     if (!is_joint) {
-      const bool is_first = joints.empty();
+      const Words gears = gears_in_words();
+      const bool is_first = joints.empty() && gears.empty();
       const Words with = format_words("{} tracing paper {} goes with link {} and marks a point.",
                                       "{} carta da lucido {} va con il membro {} e segna un punto.",
                                       is_first ? Words{"On", "Su"} : Words{"on", "su"}, written(point_),
                                       built_->letters.links[index(carrier_)]);
-      return is_first ? with : Words{"In each ", "In ognuna "} + enumerated(joints) + "; " + with;
+      if (joints.empty()) return (gears.empty() ? gears : gears + "; ") + with;
+      return Words{"In each ", "In ognuna "} + enumerated(joints) + "; " + with;
+    }
+    if (joints.empty() && pins_.size() > 1) {
+      const Words gears = gears_in_words();
+      const Words found = gears.empty() ? gears
+                                        : gears + Words{": the positions of ", ": le posizioni di "} +
+                                              enumerated(written(found_)) + ". ";
+      return found + format_words("In each {}, by arcs about {}.", "In ognuna {}, con archi da {}.", written(point_),
+                                  enumerated(written(pins_)));
     }
     if (joints.empty()) return format_words("In each {}.", "In ognuna {}.", written(point_));
     return Words{"In each position ", "In ogni posizione "} + enumerated(joints) +
@@ -224,6 +311,8 @@ class PathOfScene {
   std::shared_ptr<const Built> built_;
   int point_, carrier_;
   std::optional<int> driven_;
+  std::vector<int> pins_, found_;
+  std::vector<std::vector<int>> drawn_;
   DriveWay way_;
   geometry::EveryPlace places_;
   std::vector<LocusPanel::Position> positions_;

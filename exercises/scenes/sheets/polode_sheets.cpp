@@ -13,6 +13,7 @@
 #include "exercises/scenes/kept_by_givens.h"
 #include "exercises/scenes/reached.h"
 #include "exercises/scenes/scene_routes.h"
+#include "exercises/scenes/sheets/in_lines.h"
 #include "exercises/scenes/sheets/scene_figure.h"
 #include "geometry/linkages/every_place.h"
 
@@ -172,9 +173,9 @@ class PolodesPanel : public Panel {
     draw_branches(plot, pi, Meaning::second_locus, "moving_polode");
     for (const CentreThere& each : polodes_->positions()) {
       plot.in_step(Step::fixed);
-      dot(plot, room, each, each.in_plane, Meaning::locus);
+      dot(plot, room, each.number, each.in_plane, Meaning::locus);
       plot.in_step(Step::moving);
-      dot(plot, room, each, each.on_link, Meaning::second_locus);
+      dot(plot, room, each.number + "′", each.on_link, Meaning::second_locus);
     }
     plot.in_step(Step::given);
     mechanism_->draw(plot);
@@ -225,11 +226,12 @@ class PolodesPanel : public Panel {
   std::string quantity() const { return instant_centre(1, number_).name; }
   Place middle_of_mechanism() const { return mechanism_->at(built_->letters.points.front()); }
 
-  static void dot(Plot& plot, const drawings::Box& room, const CentreThere& centre, const std::optional<Place>& at,
+  // Of the moving polode with a prime: both have such numbers.
+  static void dot(Plot& plot, const drawings::Box& room, const std::string& number, const std::optional<Place>& at,
                   Meaning ink) {
     if (!at || !is_in(room, plot, *at)) return;
     plot.dot(*at, ink);
-    plot.small_label(centre.number, *at, {}, ink);
+    plot.small_label(number, *at, {}, ink);
   }
 
   std::vector<drawings::Block> told(const Plot& plot, const drawings::Box& room, const geometry::Trace& p,
@@ -272,7 +274,8 @@ class PolodesPanel : public Panel {
   std::optional<Place> centre_;
 };
 
-PanelSheet polode_sheet(const Scene& scene, const Solution& s, std::size_t which, KeptPolodes& kept) {
+PanelSheet polode_sheet(const Scene& scene, const Solution& s, std::size_t which, Language language,
+                        KeptPolodes& kept) {
   const auto built = std::make_shared<const Built>(scene.built(s.givens()));
   const int link = built->polodes.at(which), number = built->letters.links[index(link)];
   const std::string P = instant_centre(1, number).name;
@@ -280,7 +283,8 @@ PanelSheet polode_sheet(const Scene& scene, const Solution& s, std::size_t which
   sheet.panels =
       panels(PolodesPanel(built, kept.of(s.givens(), [&] { return PolodesOfLink(built, s, link); }), link,
                           std::make_shared<const Mechanism>(figure_of(*built, s).with_open_blocks()), s.point(P)));
-  sheet.results = {coordinates({{"$P_{1" + std::string(number < 10 ? "" : ",") + std::to_string(number) + "}$", P}})};
+  const std::string letters = "$P_{1" + std::string(number < 10 ? "" : ",") + std::to_string(number) + "}$";
+  sheet.results = {table({from_origin(*built, language), "$x$ (m)", "$y$ (m)"}, {{letters, {P + "_x", P + "_y"}}})};
   sheet.seen =
       format_words("The fixed and the moving polode of link {}, with its instant centre in several positions",
                    "La polare fissa e la polare mobile del membro {}, con il suo centro in più posizioni", number);
@@ -297,8 +301,8 @@ std::vector<SheetMaker> polode_sheets(const std::shared_ptr<const Scene>& scene)
     const std::string number = std::to_string(built.letters.links[index(built.polodes[i])]);
     sheets.push_back({{built.polodes.size() == 1 ? "polodes" : "polodes-" + number,
                        format_words("Polodes of link {}", "Polari del membro {}", number)},
-                      [scene, i, kept = std::make_shared<KeptPolodes>()](const Solution& s, Language) {
-                        return polode_sheet(*scene, s, i, *kept);
+                      [scene, i, kept = std::make_shared<KeptPolodes>()](const Solution& s, Language language) {
+                        return polode_sheet(*scene, s, i, language, *kept);
                       }});
   }
   return sheets;

@@ -425,7 +425,9 @@ void add_in_outline(Mechanism& mechanism, const Built& built, const std::string&
   const auto there = [&](int p) { return (moves(p) ? name + " " : "") + built.letters.points[index(p)]; };
   for (int p = 0; p < built.linkage.count_of_points(); ++p)
     if (moves(p))
-      mechanism.point(there(p), points[index(p)], Mechanism::Joint::none, letters.count(p) ? letters.at(p) : "");
+      mechanism.point(there(p), points[index(p)],
+                      letters.empty() || letters.count(p) ? Mechanism::Joint::none : Mechanism::Joint::corner,
+                      letters.count(p) ? letters.at(p) : "");
   for (std::size_t link = 1; link < built.linkage.links.size(); ++link) {
     std::vector<std::string> corners;
     for (const geometry::LinkPoint& p : built.linkage.links[link].points) corners.push_back(there(p.point));

@@ -20,7 +20,8 @@ geometry::PlacedLink<double> placed(const Built& built, const Solution& s, int l
 
 Mechanism figure_of(const Built& built, const Solution& solution);
 
-// The mechanism elsewhere, dashed; the name tells this place from others. Letters of some of its points, rich text.
+// The mechanism elsewhere, dashed; the name tells this place from others. Letters of some of its points, rich text:
+// with any, the others are where they are now, and have no dot of their own.
 void add_in_outline(Mechanism& mechanism, const Built& built, const std::string& name,
                     const std::vector<Place>& points, const std::map<int, std::string>& letters = {});
 

@@ -108,5 +108,9 @@ TEST_CASE("where the crank's dead centres let the rack rest, both routes have it
     CHECK(result.passed());
     CHECK(result.undecided.empty());
     CHECK(value(result, "omega_5") == 0);
+    // The pinion touches the rack then too, and where it does stays their centre.
+    CHECK(value(result, "P45_x") == 0.33);
+    CHECK(value(result, "P45_y") == 0);
+    CHECK(find(result, "P45_x").routes.size() == 3);
   }
 }

@@ -254,3 +254,108 @@ TEST_CASE("a centre at infinity that was found before leads to others: its lines
           return label.text.find("to $P_{67}$") != std::string::npos;
         }) == 3);  // the two on which it lies, and that on which P17 does
 }
+
+TEST_CASE("wheels that rest touch in their instant centre all the same", "[scenes]") {
+  const CheckedExercise result = checked_text(scenes::bytes_of(EPURE_SCENES "/cardan-gear.yaml"), {"n=0"});
+  CAPTURE(complaints(result));
+  CHECK(result.passed());
+  CHECK(value(result, "P13_y") == Approx(0.12 * std::sin(35 * 3.14159265358979323846 / 180)));
+  CHECK(find(result, "P13_y").routes.size() == 3);
+  // Where they move it is about that point.
+  const CheckedExercise moving = checked_text(scenes::bytes_of(EPURE_SCENES "/cardan-gear.yaml"));
+  const auto of = [&](const std::string& name) { return value(moving, name); };
+  CHECK(of("v_C_x") == Approx(of("omega_3") * (of("P13_y") - of("C_y"))));
+  CHECK(of("v_C_y") == Approx(-of("omega_3") * (of("P13_x") - of("C_x"))));
+}
+
+TEST_CASE("a path's sheet shows the hinges from which its points are found, numbered", "[scenes]") {
+  const DrawnSheet five_bar = shipped("geared-five-bar", "path");
+  CHECK(tells(five_bar,
+              "Wheels 2 and 5 roll on each other, equal arcs of their pitch circles: the positions of $D$. "
+              "In each $B$, by arcs about $A$ and $D$."));
+  CHECK(has_label(five_bar, "5, 11"));  // D turns twice for each turn of A
+  const auto lines = all_of<drawings::Line>(five_bar);
+  const auto long_as = [&](double mm) {
+    return std::count_if(lines.begin(), lines.end(), [&](const drawings::Line& line) {
+      return line.meaning == drawings::Meaning::construction && line.path.pieces.size() == 1 &&
+             std::abs(drawings::distance(line.path.start, line.path.pieces[0].end) - mm) < 0.01;
+    });
+  };
+  CHECK(long_as(70) == 12);  // AB and DB, at 1 : 2
+  CHECK(long_as(60) == 12);
+  // Of a plate one side: 100 mm left of the middle of AB, at 1 : 5.
+  const DrawnSheet four_bar = shipped("four-bar", "path");
+  CHECK(has_label(four_bar, "7, 8"));
+  // Points of two series in one place have each its number.
+  CHECK_FALSE(has_label(shipped("trammel", "path"), "0, 4, 8"));
+  CHECK(has_label(shipped("trammel", "path"), "0, 8"));
+  CHECK(tells(shipped("cardan-gear", "path"),
+              "Wheels 1 and 3 roll on each other, equal arcs of their pitch circles; on tracing paper $P$ goes with "
+              "link 3 and marks a point."));
+}
+
+TEST_CASE("what a close-up shows leaves joints that stand alone, and their letters, in the whole", "[scenes]") {
+  const auto count = [](const DrawnSheet& sheet, const std::string& text) {
+    const auto& labels = sheet.sheet.figure.labels;
+    return std::count_if(labels.begin(), labels.end(), [&](const auto& label) { return label.text == text; });
+  };
+  CHECK(count(shipped("watt", "instant-centres-2"), "$A$") == 2);
+  // Beside the arc of a rate that is left to the close-up, and as far from its centre.
+  CHECK(count(shipped("peaucellier", "instant-centres"), "$A$") == 1);
+  CHECK(count(shipped("peaucellier", "instant-centres"), "$ω_{2}$") == 1);
+}
+
+TEST_CASE("numbers of links keep away from where the links cross", "[scenes]") {
+  const DrawnSheet sheet = shipped("peaucellier", "velocities");
+  drawings::Point two{}, four{};
+  for (const drawings::Label& label : sheet.sheet.figure.labels) {
+    if (label.text == "2") two = label.at;
+    if (label.text == "4") four = label.at;
+  }
+  CHECK(drawings::distance(two, four) > 15);
+}
+
+TEST_CASE("vectors set aside from one link stand beside each other, and sums close their triangles", "[scenes]") {
+  const auto arrow = [](const DrawnSheet& sheet, const std::string& name) {
+    for (const drawings::Arrow& each : all_of<drawings::Arrow>(sheet))
+      if (each.name == name) return each;
+    FAIL("no vector " << name);
+    return drawings::Arrow{};
+  };
+  const DrawnSheet engine = shipped("engine", "accelerations");
+  const drawings::Arrow a_A = arrow(engine, "a_A"), a_S = arrow(engine, "a_S");
+  CHECK(to_segment(a_S.to, a_A.from, a_A.to) > 2);
+  // v_A and v_KA lead from K to the tip of v_K.
+  const DrawnSheet cylinder = shipped("oscillating-cylinder", "velocities");
+  const drawings::Arrow v_K = arrow(cylinder, "v_K");
+  int leads = 0;
+  for (const drawings::Line& line : all_of<drawings::Line>(cylinder)) {
+    if (line.meaning != drawings::Meaning::construction || line.path.pieces.size() != 1) continue;
+    leads += drawings::distance(line.path.start, v_K.from) < 0.01;
+    leads += drawings::distance(line.path.pieces[0].end, v_K.to) < 0.01;
+  }
+  CHECK(leads == 2);
+}
+
+TEST_CASE("coordinates of centres tell from where they count", "[scenes]") {
+  const auto head_of = [](const DrawnSheet& sheet) {
+    for (const drawings::Block& block : sheet.sheet.column)
+      if (const auto* table = std::get_if<drawings::Table>(&block)) return table->head.front();
+    return std::string("no table");
+  };
+  CHECK(head_of(shipped("geneva", "instant-centres")) == "from $O_{2}$");
+  CHECK(head_of(shipped("trammel", "polodes")) == "from $O$");
+}
+
+TEST_CASE("a centre on the line at infinity is told by the line that leads to it", "[scenes]") {
+  CHECK(tells(shipped("oldham", "instant-centres"),
+              "$P_{24}$ at infinity along $P_{12}$$P_{14}$: $P_{23}$ and $P_{34}$ are at infinity too."));
+}
+
+TEST_CASE("the ends of a drive's range are constructed", "[scenes]") {
+  CHECK(tells(shipped("chebyshev", "range-theta_2"),
+              "$A_{max}$ where the arc about $A_{0}$ with $A_{0}A$ and that about $B_{0}$ with $B_{0}B$ + $AB$ "
+              "meet"));
+  CHECK(tells(shipped("excavator", "range-l_PQ"), "on the line $PA$, at the distance $AQ$ from $A$, away from $P$."));
+  CHECK(tells(shipped("excavator", "range-l_PQ"), "on the line $PA$, at the distance $AQ$ from $A$, towards $P$."));
+}

@@ -143,13 +143,15 @@ TEST_CASE("polodes do not hang on whether the drive moves", "[scenes]") {
   CHECK_FALSE(line(drawn_of(*exercise, "polodes"), "fixed_polode").path.pieces.empty());
 }
 
-TEST_CASE("wheels at rest have no centre by any route", "[scenes]") {
+TEST_CASE("wheels at rest touch in their centre by every route", "[scenes]") {
   const auto exercise = exercise_said(
       "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], Q: [90 mm, 0]}\n  2: {O A: 30 mm}\n  3: {Q B: 30 mm}\ngears: "
       "[{wheels: 2 3, on: 1, teeth: [30, 60]}]\ndrive: {link: 2, angle: 20 deg}\n");
   const CheckedExercise result = check(*exercise, Givens(exercise->about().givens), Rung::climb);
   CAPTURE(complaints(result));
   CHECK(result.passed());
+  CHECK(value(result, "P23_x") == 0.03);
+  CHECK(find(result, "P23_x").routes.size() == 3);
 }
 
 TEST_CASE("a point is not called what something else is", "[scenes]") {
