@@ -117,8 +117,10 @@ BeamDiagram elastic_line(const Solution& s) {
   const double xi = s["xi_v_max_BC"], top = C * xi / L + n * s["v_max_BC"];
   // The tangents meet under the centroids of the areas.
   const Place B{0, 0}, V{2 * L / 3, 0}, on_C{L, C}, W{5 * L / 3, C * 3}, D{3 * L, end};
+  const double sunk = end + n * s["v_D_carried"];
+  constexpr double beside = 6;  // mm
   return {.name = "$nv$",
-          .runs = {{.points = {B, V}, .letter = "$t_{B}$"},
+          .runs = {{.points = {B, V}, .letter = "$t_{B}$", .away_from = on_C},
                    {.points = {V, W}, .letter = "$t_{C}$"},
                    {.points = {W, D}, .letter = "$t_{D}$"},
                    {.points = {B, {3 * L, 3 * C}}, .meaning = Meaning::axis},
@@ -128,7 +130,8 @@ BeamDiagram elastic_line(const Solution& s) {
                     .is_cubic = true}},
           .ordinates = {{"v_max_BC", "$nv_{max}$", xi, C * xi / L, top, 1 / n},
                         {"v_D_bending", "$nv_{D,f}$", 3 * L, 3 * C, end, 1 / n},
-                        {"v_D", "", 3 * L, 3 * C, end + n * s["v_D_carried"], 1 / n}}};
+                        {"", "$nv_{D,r}$", 3 * L, end, sunk, 1 / n, false, Meaning::velocity},
+                        {"v_D", "$nv_{D}$", 3 * L, 3 * C, sunk, 1 / n, false, Meaning::force, beside}}};
 }
 
 LoadLinePanel weights(const Solution& s, Language language) {
@@ -156,6 +159,7 @@ LoadLinePanel williot(const Solution& s) {
        .forces = {{"column_shortening", "$Δ\\it{H}$", 0, c, 0, false, Meaning::velocity, "$c'$"},
                   {"", "$v_{D,r}$", 0, d, 1, false, Meaning::velocity, "$d'$"}},
        .start = "$b'$",
+       .tells_scale = true,
        .steps = {{{"Williot's plan: $B$ stays at $b'$; $C$ goes down by the column's shortening $Δ\\it{H}$ = "
                    "$\\it{Y}_{A}\\it{H}_{0}$/($\\it{EA}_{2}$).",
                    "Diagramma di Williot: $B$ resta in $b'$; $C$ scende dell'accorciamento della colonna $Δ\\it{H}$ "

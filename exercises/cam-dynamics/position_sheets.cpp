@@ -139,16 +139,17 @@ Forces forces(const Solution& s) {
                      .length = s.value(name)};
     return side;
   };
-  const auto known = [&](const std::string& name, const std::string& direction, const std::string& magnitude) {
-    PolygonSide side = of_case(s, "", force(name), direction, magnitude);
+  const auto known = [&](const std::string& name, const std::string& direction, const std::string& magnitude,
+                         const std::string& tip = {}) {
+    PolygonSide side = of_case(s, "", force(name), direction, magnitude, tip);
     if (side.v.x == 0 && side.v.y == 0) side.magnitude = "0";
     return side;
   };
   PolygonSide R_23 = reaction_of("R_23", "∥ $AB$", s.place("B_at") - s.place("A_at"));
-  R_23.tip = "$e$";
-  return {.P = known("P", upright, "$\\it{P}$"),
-          .P_3 = known("P_3", upright, "$m_{3}g$"),
-          .F_3 = known("F_3_in", upright, "$m_{3}a_{B3}$"),
+  R_23.tip = "$d$";
+  return {.P = known("P", upright, "$\\it{P}$", "$a$"),
+          .P_3 = known("P_3", upright, "$m_{3}g$", "$b$"),
+          .F_3 = known("F_3_in", upright, "$m_{3}a_{B3}$", "$c$"),
           .R_23 = R_23,
           .R_13 = reaction_of("R_13", level, {1, 0}),
           .P_2 = known("P_2", upright, "$m_{2}g$"),

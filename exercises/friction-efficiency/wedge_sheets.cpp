@@ -145,7 +145,7 @@ PanelSheet two_forces(const Solution& s, Language language) {
     all.insert(all.begin() + 1,
                std::make_unique<SharedLoadPanel>(shared->polygon(moving(force_between(1, 3), direct).arrow())));
   }
-  if (K) on_rod.line_to({0, 0}, *K, "$OK$");
+  if (K) on_rod.line_to({0, 0}, *K, "$OK$").turned({0, 0}, 0, direction(Place{0, 0}, *K), "$κ$", "$x$", false);
   if (const auto other = of.point("K_retrograde"))
     on_rod.otherwise(of.name("K_retrograde"), "$K'$", other,
                      {{{-at.w / 2, at.upper}, of.vector("R_13_upper_retrograde")},

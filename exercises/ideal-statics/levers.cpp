@@ -118,8 +118,8 @@ PanelSheet virtual_work(const LeverFigure& at) {
   const PolygonSide Q = of.load("Q", "", ""), driving = of.known(P(), "", "");
   const std::string i = std::to_string(at.driven), j = std::to_string(at.loaded);
   Mechanism levers = at.whole();
-  constexpr double clear = 0.015;  // m
-  const double aside = of.radians("nu") - std::numbers::pi / 2;
+  constexpr double clear = 0.015;                                // m
+  const double aside = of.radians("nu") + std::numbers::pi / 2;  // away from the angle of the normal
   levers.point("A", at.A, Joint::none, "$A$").point("B", at.B, Joint::none, "$B$");
   levers.offset("A", at.C, aside, clear, "$r_{2}$").offset("B", at.C, aside, clear, "$r_{3}$");
   FreeBodyPanel arms(std::make_shared<const Mechanism>(std::move(levers)));

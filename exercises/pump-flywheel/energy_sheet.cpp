@@ -12,8 +12,8 @@ namespace {
 
 constexpr double half_turn = std::numbers::pi;
 
-// Reads are ordinates at the strips' ends.
-IntegrationPanel integrated(const DrawnPump& pump, double first, double second,
+// Reads are ordinates at the strips' ends. `left_over`: the letters of the torque.
+IntegrationPanel integrated(const DrawnPump& pump, const std::string& left_over, double first, double second,
                             std::vector<IntegrationRow::Read> read) {
   std::vector<double> ends = strips_of_suction(half_turn);
   const std::vector<double> late = strips_of_delivery(first, second, half_turn);
@@ -24,7 +24,7 @@ IntegrationPanel integrated(const DrawnPump& pump, double first, double second,
   for (std::size_t i = 1; i < ends.size(); ++i)
     carried.push_back((corners[i] - corners[i - 1]) / (ends[i] - ends[i - 1]));
   return {{.letters = "$α$", .unit = "rad", .ends = ends},
-          {{.letters = "$\\it{M}_{m}$ − $\\it{M}_{r}$",
+          {{.letters = left_over,
             .unit = "N m",
             .meaning = Meaning::force,
             .curve = [=](double alpha) { return pump.mean - pump.resisting(alpha); },
@@ -71,7 +71,7 @@ Words without_mass(const Solution& s) {
 PanelSheet energy_sheet(const Solution& s, Language language) {
   const DrawnPump pump(s);
   const double first = s["alpha_1"], second = s["alpha_2"];
-  return {.panels = panels(integrated(pump, first, second,
+  return {.panels = panels(integrated(pump, "$\\it{M}_{m}$ − $\\it{M}_{r}$", first, second,
                                       {{.quantity = "Delta_T_suction_end",
                                         .label = "Δ$\\it{T}$(π)",
                                         .at = half_turn,
@@ -101,8 +101,10 @@ PanelSheet energy_sheet(const Solution& s, Language language) {
 PanelSheet energy_with_mass_sheet(const Solution& s, Language language) {
   const DrawnPump pump(s, s["M_inertia_max"]);
   const double first = s["reciprocating_mass.alpha_1"], second = s["reciprocating_mass.alpha_2"];
+  const Words left_over{"$\\it{M}_{m}$ − $\\it{M}_{r}$ − $\\it{M}_{s}$ sin 2$α$",
+                        "$\\it{M}_{m}$ − $\\it{M}_{r}$ − $\\it{M}_{s}$ sen 2$α$"};
   IntegrationPanel panel = integrated(
-      pump, first, second,
+      pump, left_over.in(language), first, second,
       {{.quantity = {}, .label = "Δ$\\it{T}_{1}$", .at = half_turn + first, .value = pump.energy(half_turn + first)},
        {.quantity = {},
         .label = "Δ$\\it{T}_{2}$",

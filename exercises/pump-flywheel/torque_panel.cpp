@@ -100,6 +100,8 @@ std::vector<drawings::Block> TorquePanel::draw(Plot& plot, const drawings::Box& 
     plot.mark(drawings::Dot{there, Meaning::construction, {}});
     if (!each.letters.empty()) onto.sheet.figure.labels.push_back({.text = each.letters, .at = end});
   }
+  constexpr double upright = 270;  // degrees
+  onto.sheet.figure.labels.push_back({.text = "$\\it{F}_{m}r$", .at = O, .to = end_of_crank(room, map, upright)});
   for (const Read& each : read_) {
     const drawings::Point from = map.at(each.from), to = map.at(each.to);
     const bool is_level = each.from.y == each.to.y;

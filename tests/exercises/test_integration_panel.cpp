@@ -2,6 +2,7 @@
 // distance is the one the scales make, and what a ruler reads is what was given.
 #include "exercises/kit/panels/integration_panel.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "exercises/kit/panels/layout_search.h"
@@ -138,4 +139,30 @@ TEST_CASE("integration: the axis of ordinates is one continuous line", "[integra
         line && line->meaning == Meaning::axis && line->path.start.x == line->path.pieces.front().end.x)
       ++axes;
   CHECK(axes == 0);
+}
+
+// Below it stand the numbers of the axis.
+TEST_CASE("integration: the letters of a short ordinate stand at its upper end", "[integration]") {
+  for (const double short_one : {0.02, -0.02}) {
+    const std::vector<double> ends{0, 1, 2}, corners{0, short_one, 1};
+    Panels one =
+        panels(IntegrationPanel({.letters = "$t$", .unit = "s", .ends = ends},
+                                {{.letters = "$v$", .unit = "m/s", .carried = {short_one, 1 - short_one}},
+                                 {.letters = "$s$",
+                                  .unit = "m",
+                                  .corners = corners,
+                                  .read = {{.quantity = {}, .label = "$s_{1}$", .at = 1, .value = short_one}}}}));
+    one.front()->choose_view(a4_room, {});
+    const PlacedPanel placed = laid_out(one, a4_room, {}).front();
+    DrawnSheet drawn;
+    Plot plot(drawn, placed.origin, placed.vectors);
+    one.front()->draw(plot, placed.room, Language::english);
+    const auto& labels = drawn.sheet.figure.labels;
+    const auto found =
+        std::find_if(labels.begin(), labels.end(), [](const auto& each) { return each.text == "$s_{1}$"; });
+    REQUIRE(found != labels.end());
+    REQUIRE(found->away_from);
+    CHECK_FALSE(found->to);
+    CHECK(found->at.y > found->away_from->y);
+  }
 }

@@ -272,12 +272,9 @@ inline std::shared_ptr<const MechanismFigure> with_ram(Mechanism drawn, const Ca
       .body({"D", "ram"}, 6);
   // Above, where with friction it presses; below there is room for the load.
   drawn.surface(D + AB * Arrow2{0.9, 0.06}, D + AB * Arrow2{0.5, 0.06});
-  const double theta = of.radians("theta"), beside = 0.3 * AB;
-  drawn.point("block 3", B + beside * Arrow2{std::cos(theta), -std::sin(theta)}, Mechanism::Joint::corner, "3")
-      .point("block 5", D + -beside * Arrow2{1, 0}, Mechanism::Joint::corner, "5");
   MechanismWithBlocks whole(std::move(drawn));
-  whole.block(B, std::numbers::pi / 2 - of.radians("theta"), MechanismWithBlocks::Slides::on_body, "$B$")
-      .block(D, std::numbers::pi / 2, MechanismWithBlocks::Slides::in_slot, "$D$");
+  whole.block(B, std::numbers::pi / 2 - of.radians("theta"), MechanismWithBlocks::Slides::on_body, "$B$", 3)
+      .block(D, std::numbers::pi / 2, MechanismWithBlocks::Slides::in_slot, "$D$", 5);
   return std::make_shared<const MechanismWithBlocks>(std::move(whole));
 }
 

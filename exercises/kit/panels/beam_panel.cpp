@@ -1,6 +1,7 @@
 #include "exercises/kit/panels/beam_panel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace epure {
 namespace {
@@ -40,10 +41,14 @@ std::vector<double> BeamPanel::axes(double mm_of_lengths, double mm_of_vectors) 
 }
 
 drawings::Box BeamPanel::extent(const Scale& lengths, const Scale& vectors) const {
+  double aside = 0;
+  for (const BeamDiagram& diagram : diagrams_)
+    for (const BeamDiagram::Ordinate& each : diagram.ordinates) aside = std::max(aside, each.aside);
   const double high =
       reach_of(diagrams_.front(), diagrams_.front().of_vectors ? vectors.mm_per_unit : lengths.mm_per_unit).high;
-  return {{-diagram_names - beam_letters, axes(lengths.mm_per_unit, vectors.mm_per_unit).back() - beam_letters / 2},
-          {lengths.mm_per_unit * length_ + beam_letters, high + beam_letters / 2}};
+  return {{-std::max(diagram_names, beam_letters),
+           axes(lengths.mm_per_unit, vectors.mm_per_unit).back() - beam_letters / 2},
+          {lengths.mm_per_unit * length_ + aside + beam_letters, high + beam_letters / 2}};
 }
 
 Place BeamPanel::place(const Plot& plot, std::size_t diagram, const Place& at) const {
@@ -54,7 +59,6 @@ Place BeamPanel::place(const Plot& plot, std::size_t diagram, const Place& at) c
 
 void BeamPanel::draw(Plot& plot, std::size_t diagram) const {
   const BeamDiagram& of = diagrams_[diagram];
-  const double mm = of.of_vectors ? plot.vector_scale().mm_per_unit : plot.scale().mm_per_unit;
   const auto at = [&](const Place& P) { return place(plot, diagram, P); };
   auto& figure = plot.onto().sheet.figure;
   for (const BeamDiagram::Run& run : of.runs) {
@@ -69,25 +73,40 @@ void BeamPanel::draw(Plot& plot, std::size_t diagram) const {
       for (const Place& P : points) corners.push_back(plot.at(P));
       plot.mark(drawings::Line{drawings::polyline(corners, run.is_area), run.meaning, {}});
     }
-    if (!run.letter.empty())
-      figure.labels.push_back(
-          {.text = run.letter, .at = plot.at(points.front()), .to = plot.at(points.back()), .size = 3});
+    if (run.letter.empty()) continue;
+    drawings::Label letter{
+        .text = run.letter, .at = plot.at(points.front()), .to = plot.at(points.back()), .size = 3};
+    if (run.away_from) letter.away_from = plot.at(at(*run.away_from));
+    figure.labels.push_back(letter);
   }
   draw_axis(plot, diagram);
-  for (const BeamDiagram::Ordinate& each : of.ordinates) {
-    const Place from = at({each.at, each.from}), to = at({each.at, each.to});
-    if (each.is_arrow)
-      plot.mark(drawings::Arrow{plot.at(from), plot.at(to), Meaning::force, each.quantity});
-    else
-      plot.mark(drawings::Line{drawings::segment(plot.at(from), plot.at(to)), Meaning::force, each.quantity});
-    if (!each.label.empty())
-      figure.labels.push_back({.text = each.label, .at = plot.at(from), .to = plot.at(to), .ink = Meaning::force});
-    if (!each.quantity.empty() && plot.shows(from) && plot.shows(to))
-      plot.onto().measurements.push_back(
-          {each.quantity, plot.at(from), plot.at(to), each.worth / mm, Measurement::along_y});
-  }
+  for (const BeamDiagram::Ordinate& each : of.ordinates) draw_ordinate(plot, diagram, each);
   for (const BeamDiagram::Load& load : of.loads) draw_load(plot, diagram, load);
   draw_letters(plot, diagram);
+}
+
+void BeamPanel::draw_ordinate(Plot& plot, std::size_t diagram, const BeamDiagram::Ordinate& each) const {
+  constexpr double short_one = 5;  // mm: beside it its letters would be those of what is above or below
+  const double mm = diagrams_[diagram].of_vectors ? plot.vector_scale().mm_per_unit : plot.scale().mm_per_unit;
+  const Arrow2 aside{each.aside / plot.scale().mm_per_unit, 0};
+  const Place from = place(plot, diagram, {each.at, each.from}) + aside,
+              to = place(plot, diagram, {each.at, each.to}) + aside;
+  if (each.aside != 0)
+    for (const Place& end : {from, to}) plot.segment(end + -1.0 * aside, end, Meaning::construction);
+  if (each.is_arrow)
+    plot.mark(drawings::Arrow{plot.at(from), plot.at(to), each.meaning, each.quantity});
+  else
+    plot.mark(drawings::Line{drawings::segment(plot.at(from), plot.at(to)), each.meaning, each.quantity});
+  const bool is_short =
+      mm * std::abs(each.to - each.from)<short_one, ends_outside = std::abs(each.to)> std::abs(each.from);
+  if (is_short && !each.label.empty())
+    plot.label(each.label, ends_outside ? to : from, ends_outside ? from : to, each.meaning);
+  else if (!each.label.empty())
+    plot.onto().sheet.figure.labels.push_back(
+        {.text = each.label, .at = plot.at(from), .to = plot.at(to), .ink = each.meaning});
+  if (!each.quantity.empty() && plot.shows(from) && plot.shows(to))
+    plot.onto().measurements.push_back(
+        {each.quantity, plot.at(from), plot.at(to), each.worth / mm, Measurement::along_y});
 }
 
 void BeamPanel::draw_load(Plot& plot, std::size_t diagram, const BeamDiagram::Load& load) const {

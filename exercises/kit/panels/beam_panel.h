@@ -2,6 +2,7 @@
 // elastic lines, whose ordinates are lengths, and diagrams at the scale of the sheet's vectors.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,13 +18,16 @@ struct BeamDiagram {
     Meaning meaning = Meaning::construction;
     bool is_area = false;     // filled, and its border drawn
     bool is_cubic = false;    // four points: the ends of a cubic and where its tangents there cross the thirds
-    std::string letter = {};  // beside its middle
+    std::string letter = {};  // beside its middle, away from a point or not
+    std::optional<Place> away_from = {};
   };
   // A length that a ruler reads along the ordinate: times `worth` (SI per unit of ordinate) the quantity.
   struct Ordinate {
     std::string quantity, label;
     double at, from, to, worth;
     bool is_arrow = false;
+    Meaning meaning = Meaning::force;
+    double aside = 0;  // mm to the right: of several in one line one stands beside the others
   };
   struct Letter {
     std::string text;
@@ -84,6 +88,7 @@ class BeamPanel : public Panel {
   Place place(const Plot& plot, std::size_t diagram, const Place& at) const;
   void draw(Plot& plot, std::size_t diagram) const;
   void draw_axis(Plot& plot, std::size_t diagram) const;
+  void draw_ordinate(Plot& plot, std::size_t diagram, const BeamDiagram::Ordinate& each) const;
   void draw_load(Plot& plot, std::size_t diagram, const BeamDiagram::Load& load) const;
   void draw_letters(Plot& plot, std::size_t diagram) const;
   void draw_lines(Plot& plot) const;

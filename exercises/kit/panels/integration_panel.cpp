@@ -170,8 +170,11 @@ void IntegrationPanel::draw_axes(Plot& plot, std::size_t row, Language language)
   const auto title = [&](const std::string& letters, const std::string& unit) {
     return letters + (unit.empty() ? "" : " (" + unit + ")");
   };
-  // Over the scale that it names.
-  write(title(rows_[row].letters, rows_[row].unit), at(row, last, high) + Arrow2{1, 3.6});
+  // Over the scale that it names; a long one ends where that does.
+  constexpr double longest_title = 20;
+  const std::string name = title(rows_[row].letters, rows_[row].unit);
+  const double begins = std::min(1.0, longest_title - drawings::measure(name, number_size).width);
+  write(name, at(row, last, high) + Arrow2{begins, 3.6});
   if (row + 1 < rows_.size()) return;
   // The numbers are those of ticks under the strips, which have other widths: all ticks in one line with their axis.
   const double foot = at(row, first, low).y, below = foot - 4;
@@ -289,8 +292,13 @@ void IntegrationPanel::draw_readings(Plot& plot, std::size_t row) const {
     // numbers.
     constexpr double short_one = 8, aside = 10;  // mm
     const bool is_last = read.at == along_.ends.back(), is_short = std::abs(tip.y - foot.y) < short_one;
-    const Place away = is_short ? Place{foot.x, foot.y - aside} : Place{foot.x - aside, foot.y};
-    plot.side("", foot, tip, rows_[row].meaning, is_last ? "" : read.label, away);
+    plot.side("", foot, tip, rows_[row].meaning, is_last || is_short ? "" : read.label,
+              Place{foot.x - aside, foot.y});
+    if (is_short && !is_last) {  // an arrow too short for its head is a dot
+      plot.segment(foot, tip, rows_[row].meaning);
+      const bool is_up = tip.y > foot.y;
+      plot.label(read.label, is_up ? tip : foot, is_up ? foot : tip, rows_[row].meaning);
+    }
     if (is_last) plot.label(read.label, tip, Place{tip.x - aside, 2 * foot.y - tip.y}, rows_[row].meaning);
     if (!read.quantity.empty() && plot.shows(foot) && plot.shows(tip))
       plot.onto().measurements.push_back(

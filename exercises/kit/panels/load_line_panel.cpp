@@ -81,6 +81,11 @@ std::vector<drawings::Block> LoadLinePanel::draw(Plot& plot, const drawings::Box
   const auto [low, high] = ends();
   plot.long_segment({0, low}, {0, high}, 3, Meaning::construction);
   if (!plan_.start.empty()) plot.label(plan_.start, {0, 0}, in_lane(plot, 1, 0));
+  if (plan_.tells_scale) {
+    constexpr double letters = 2.7;  // mm
+    const drawings::Point foot = plot.at({0, low});
+    plot.mark(drawings::Writing{plot.scale().caption, {foot.x, foot.y - plan_letters}, letters});
+  }
   if (plan_.pole) draw_pole(plot);
   for (const LoadLine::Force& force : plan_.forces) draw_force(plot, force);
   return {};

@@ -27,7 +27,8 @@ struct LoadLine {
   std::string unit;  // "N"
   double si = 1;     // one unit, in SI
   std::vector<Force> forces;
-  std::string start = {};  // letter at the foot of the line
+  std::string start = {};    // letter at the foot of the line
+  bool tells_scale = false;  // under it, where its unit does not tell its bar from the others
   std::optional<Place> pole = {};
   std::string pole_distance = {};  // its letters
   std::vector<Ray> rays = {};

@@ -83,17 +83,19 @@ Place place_of_number(const std::vector<Place>& corners, const std::vector<Place
 
 // No arc where there is none to see, nor where it would be longer than the links.
 void Mechanism::draw_angle(Plot& plot, const Angle& angle) const {
-  constexpr double shortest_arc = 4;  // mm
+  constexpr double shortest_arc = 2.5;  // mm
   const double opening = angle.to - angle.from;
   if (std::abs(opening) * angle_radius < shortest_arc || plot.scale().mm_per_unit * reach() < angle_radius) return;
   const Place& O = at(angle.at);
-  const std::vector<std::pair<Place, Place>> links = edges(bodies_), others = edges(other_positions_);
+  std::vector<std::pair<Place, Place>> legs = edges(bodies_);
+  for (const auto& leg : edges(other_positions_)) legs.push_back(leg);
+  for (const Axis& axis : axes_) legs.emplace_back(axis.from, axis.to);
   const auto usual = [&](const Angle& each) {
-    constexpr double share = 0.6, least = 5;  // of the leg, mm
-    double leg = std::numeric_limits<double>::infinity();
-    for (const double side : {each.from, each.to})
-      leg = std::min({leg, shortest_leg(links, O, side), shortest_leg(others, O, side)});
-    return std::min(radius_of(each), std::max(share * leg * plot.scale().mm_per_unit, least));
+    constexpr double share = 0.6, least = 5, short_leg = 8, beyond = 6;  // of the leg, mm
+    const double leg =
+        plot.scale().mm_per_unit * std::min(shortest_leg(legs, O, each.from), shortest_leg(legs, O, each.to));
+    // Of a short one beyond its end: the joint there would hide the arc.
+    return std::min(radius_of(each), leg < short_leg ? leg + beyond : std::max(share * leg, least));
   };
   std::vector<double> circles;
   for (const Path& path : paths_)
@@ -114,7 +116,8 @@ void Mechanism::draw_angle(Plot& plot, const Angle& angle) const {
     for (const Place& end : {axis.from, axis.to})
       if (is_on_line(O, axis.from, axis.to) && distance(O, end) > 0) lines.push_back(direction(O, end));
   for (const double side : {angle.from, angle.to})
-    if (!has_direction(lines, side)) draw_leg(plot, O, side, radius);
+    if (!has_direction(lines, side) || shortest_leg(legs, O, side) * plot.scale().mm_per_unit < radius)
+      draw_leg(plot, O, side, radius);
   if (angle.is_directed)
     plot.mark(drawings::Rotation{plot.at(O), radius, angle.from, angle.to, Meaning::dimension});
   else

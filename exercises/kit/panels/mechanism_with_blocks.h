@@ -14,9 +14,10 @@ class MechanismWithBlocks : public MechanismFigure {
   explicit MechanismWithBlocks(Mechanism mechanism) : mechanism_(std::move(mechanism)) {}
 
   // A block on its pin slides along a body, in this direction (radians): on the body, or in a slot of it, which hides
-  // what lies beneath. The letters are the pin's, which the mechanism leaves to the block.
+  // what lies beneath. The letters are the pin's, which the mechanism leaves to the block, as it does its number.
   enum class Slides { on_body, in_slot };
-  MechanismWithBlocks& block(const Place& pin, double direction, Slides slides, const std::string& letters);
+  MechanismWithBlocks& block(const Place& pin, double direction, Slides slides, const std::string& letters,
+                             int number);
   // The hinge of a link that ends at a point of a body which goes on: beside the body, towards the link's other end.
   MechanismWithBlocks& hinge_under(const Place& at, const Place& other_end);
 
@@ -33,11 +34,13 @@ class MechanismWithBlocks : public MechanismFigure {
     double direction;
     Slides slides;
     std::string letters;
+    int number;
   };
   struct Hinge {
     Place at, other_end;
   };
   void draw_own(Plot& plot) const;
+  void draw_block(Plot& plot, const Block& block) const;
 
   Mechanism mechanism_;
   std::vector<Block> blocks_;

@@ -91,16 +91,19 @@ void PadRingPanel::dimension_pads(Plot& plot) const {
   constexpr double least = 12;  // mm
   if (ring_.length * plot.scale().mm_per_unit < least) return;
   dimension_arc(plot, leading(0), leading(0) - angle(), ring_.length_letters);
-  if (ring_.pads < 4) return;
+  if (ring_.pads < 3) return;
   if (!ring_.pivot_letters.empty())
     dimension_arc(plot, leading(1), leading(1) - ring_.pivot * angle(), ring_.pivot_letters);
   if (!ring_.pitch_letters.empty()) dimension_arc(plot, leading(-1), leading(0), ring_.pitch_letters);
   if (!ring_.gap_letters.empty()) {
-    const double gap = (leading(0) - angle() + leading(1)) / 2;
-    plot.label(ring_.gap_letters, at(ring_.outer, gap), at(mean(), gap));
+    const double begins = leading(0) - angle(), ends = leading(1), gap = (begins + ends) / 2;
+    if ((begins - ends) * mean() * plot.scale().mm_per_unit < least)
+      plot.label(ring_.gap_letters, at(ring_.outer, gap), at(mean(), gap));
+    else
+      dimension_arc(plot, begins, ends, ring_.gap_letters);
   }
   if (!ring_.width_letters.empty()) {
-    const double beside = leading(ring_.pads / 2) - 0.2 * angle();
+    const double beside = leading(ring_.pads / 2) - 0.9 * angle();  // beyond the pivot
     plot.mark(drawings::Dimension{plot.at(at(ring_.inner, beside)), plot.at(at(ring_.outer, beside)), 0,
                                   ring_.width_letters});
   }

@@ -6,6 +6,7 @@
 #include <cassert>
 
 #include "drawings/text/sheet_words.h"
+#include "drawings/text/text.h"
 #include "exercises/kit/panels/results.h"
 #include "exercises/kit/panels/scale_bar.h"
 #include "exercises/kit/statement/given_number.h"
@@ -103,13 +104,25 @@ void add_scale_bars(DrawnSheet& onto, const std::vector<Scale>& scales, const Sh
   constexpr double last_number = 13;  // mm: room for it and its unit, where bars are many
   constexpr std::size_t few = 3;
   const double distance = std::min(bar_distance, (area.width() - first_bar) / static_cast<double>(scales.size()));
+  // What a caption is too long for its share the others give.
+  constexpr double caption_size = 3.2, apart = 5;  // mm
+  const auto wants = [&](const Scale& scale) {
+    return std::max(0.0, drawings::measure(scale.caption, caption_size).width + apart - distance);
+  };
+  double wanted = 0, giving = 0;
+  for (const Scale& scale : scales) {
+    wanted += wants(scale);
+    giving += wants(scale) == 0 ? 1 : 0;
+  }
+  const double given = giving > 0 ? wanted / giving : 0;
   double x = area.low.x + first_bar;
   for (const Scale& scale : scales) {
     const drawings::Point at{x, area.low.y + 8};
-    onto.sheet.figure.marks.push_back(scales.size() > few ? bar(scale, at, distance - last_number, request.language)
-                                                          : bar(scale, at, request.language));
+    onto.sheet.figure.marks.push_back(scales.size() > few
+                                          ? bar(scale, at, distance - given - last_number, request.language)
+                                          : bar(scale, at, request.language));
     onto.sheet.title_block.scales.push_back(scale.caption);
-    x += distance;
+    x += distance + (wants(scale) > 0 ? wants(scale) : -given);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exercises/kit/proof/verdict.h"
+#include "tests/exercises/drawn_marks.h"
 #include "tests/exercises/held_against_corpus.h"
 
 using namespace epure;
@@ -140,6 +141,25 @@ TEST_CASE("boat crane: the diagrams are measured back", "[boat-crane][sheets]") 
   shows("section", {"sigma_z_max", "tau_zy", "tau_max_Jourawsky", "sigma_eq"});
   shows("fatigue", {"sigma_m", "Delta_sigma", "Delta_sigma_eff", "mass_600kg.Delta_sigma_eff"});
   shows("buckling", {"slenderness", "slenderness_limit", "P_cr"});
+}
+
+// Bending to the elastic line, the column's share from there, and the sum beside both, each with letters of its own.
+TEST_CASE("boat crane: what the boat sinks is put together of two parts", "[boat-crane][sheets]") {
+  const DrawnSheet drawn = crane().draw("elastic-line", {"L=1", "H_0=12", "W_b=2000"});
+  const auto [beam, bent] = ends_of(line(drawn, "v_D_bending"));
+  const auto [level, sunk] = ends_of(line(drawn, "v_D"));
+  CHECK(level.y == Approx(beam.y));
+  CHECK(level.x > beam.x + 3);
+  int carried = 0;
+  for (const drawings::Line& each : all_of<drawings::Line>(drawn)) {
+    const auto [from, to] = ends_of(each);
+    carried +=
+        each.meaning == drawings::Meaning::velocity && from.x == bent.x && from.y == bent.y && to.y == Approx(sunk.y);
+  }
+  CHECK(carried == 1);
+  for (const char* letters : {"$nv_{D,f}$", "$nv_{D,r}$", "$nv_{D}$"})
+    CHECK(std::count_if(drawn.sheet.figure.labels.begin(), drawn.sheet.figure.labels.end(),
+                        [&](const drawings::Label& each) { return each.text == letters; }) == 1);
 }
 
 TEST_CASE("boat crane: the ray parallel to the closing line is drawn after it, and the shear last",

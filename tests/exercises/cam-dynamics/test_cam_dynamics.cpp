@@ -132,3 +132,16 @@ TEST_CASE("the arms of the cam's forces are told apart, and measured", "[cam-dyn
   const CheckedExercise result = cam().checked({});
   for (const char* arm : {"d_2", "d_32"}) CHECK_FALSE(find(result, arm).on_sheets.empty());
 }
+
+TEST_CASE("the cam's angle is marked beyond the centre of its disc, which is near the axis",
+          "[cam-dynamics][sheets]") {
+  const DrawnSheet drawn = cam().draw("velocities", {});
+  constexpr double one_to_five = 200, mass = 2.5;  // mm a metre, mm
+  int marked = 0;
+  for (const drawings::Rotation& each : all_of<drawings::Rotation>(drawn))
+    if (each.from == 0 && each.to == Approx(21 * M_PI / 180)) {
+      CHECK(each.radius > 0.03 * one_to_five + mass);
+      ++marked;
+    }
+  CHECK(marked == 1);
+}

@@ -161,3 +161,29 @@ TEST_CASE("ideal statics: the wedge's sheet has its dimensions", "[ideal-statics
   CHECK(lengths.at("$w$") == Approx(0.025 * mm_per_m));
   CHECK(all_of<drawings::Dimension>(statics().draw("wedge-virtual-work", {})).empty());
 }
+
+TEST_CASE("ideal statics: a flat wedge has its angle too", "[ideal-statics][sheets]") {
+  CHECK(all_of<drawings::AngleMark>(statics().draw("wedge", {"wedge_collar.theta=12"})).size() == 1);
+}
+
+// The slot's round ends have a radius of 3 mm, a block reaches 5 mm along its link.
+TEST_CASE("ideal statics: the slot of Fairbairn's ram leaves the lever's block free", "[ideal-statics][sheets]") {
+  const DrawnSheet drawn = statics().draw("fairbairn-virtual-work", {"fairbairn.theta=5"});
+  const auto slots = all_of<drawings::Slot>(drawn);
+  const auto blocks = all_of<drawings::Slider>(drawn);
+  REQUIRE(slots.size() == 1);
+  REQUIRE(blocks.size() == 2);
+  const double low = std::min(slots[0].from.y, slots[0].to.y) - 3,
+               high = std::min(blocks[0].at.y, blocks[1].at.y) + 5;
+  CHECK(low > high);
+}
+
+TEST_CASE("ideal statics: the scales' captions keep off each other", "[ideal-statics][sheets]") {
+  constexpr double size = 3.2, least = 3;  // mm
+  for (const Language language : {Language::english, Language::italian}) {
+    const auto bars = all_of<drawings::ScaleBar>(statics().draw("fairbairn-short-lever", {}, {.language = language}));
+    REQUIRE(bars.size() == 5);
+    for (std::size_t i = 0; i + 1 < bars.size(); ++i)
+      CHECK(bars[i].at.x + drawings::measure(bars[i].caption, size).width + least < bars[i + 1].at.x);
+  }
+}

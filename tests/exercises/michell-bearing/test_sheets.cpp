@@ -1,5 +1,6 @@
 // The sheets of the Michell bearing, whatever is given, and what stands on them.
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "tests/exercises/drawn_marks.h"
@@ -161,5 +162,22 @@ TEST_CASE("michell bearing: the ring's sheet has a section through pad and runne
       const auto& sheets = find(result, film + std::string(name)).on_sheets;
       CHECK(std::any_of(sheets.begin(), sheets.end(), [&](const OnSheet& each) { return each.sheet == sheet; }));
     }
+  }
+}
+
+TEST_CASE("michell bearing: three pads have their dimensions, and a wide gap one of its own",
+          "[michell-bearing][sheets]") {
+  const auto letters = [](const Assignments& given) {
+    const DrawnSheet drawn = bearing().draw("bearing", given);
+    std::multiset<std::string> all;
+    for (const drawings::Label& each : drawn.sheet.figure.labels) all.insert(each.text);
+    for (const drawings::Dimension& each : all_of<drawings::Dimension>(drawn)) all.insert(each.text);
+    return all;
+  };
+  const auto usual = letters({});
+  for (const char* each : {"$b$", "$p_{c}$", "$d$"}) {
+    CAPTURE(each);
+    CHECK(usual.count(each) == 1);
+    CHECK(letters({"pads=3"}).count(each) == 1);
   }
 }

@@ -5,6 +5,7 @@
 
 #include "exercises/cli/catalogue.h"
 #include "exercises/pump-flywheel/drawn_pump.h"
+#include "tests/exercises/drawn_marks.h"
 #include "tests/exercises/told_words.h"
 
 using namespace epure;
@@ -83,6 +84,23 @@ TEST_CASE("pump: what exceeds the mean torque is filled as such, in suction too"
   CHECK(areas({"p_a=3"}) == std::pair(2, 3));
   CHECK_THAT(told_on(pump(), "torque", {"p_a=3"}), Contains("In suction too"));
   CHECK_THAT(told_on(pump(), "torque", {}), !Contains("In suction too"));
+}
+
+TEST_CASE("pump: what is integrated with the mass is named with it, and each crank by its angles", "[pump][sheets]") {
+  const auto named = [](const std::string& sheet, Language language) {
+    std::string all;
+    for (const auto& title : all_of<drawings::Writing>(pump().draw(sheet, {}, {.language = language})))
+      all += title.text + "\n";
+    return all;
+  };
+  const std::string mass = "$\\it{M}_{m}$ − $\\it{M}_{r}$ − $\\it{M}_{s}$ ";
+  CHECK_THAT(named("energy-with-mass", Language::english), Contains(mass + "sin 2$α$ (N m)"));
+  CHECK_THAT(named("energy-with-mass", Language::italian), Contains(mass + "sen 2$α$ (N m)"));
+  CHECK_THAT(named("energy", Language::english), !Contains("sin"));
+  CHECK_THAT(words_of(pump().draw("energy-with-mass", {})), Contains(mass + "sin 2$α$: the ordinate"));
+  std::string labels;
+  for (const drawings::Label& each : pump().draw("torque", {}).sheet.figure.labels) labels += each.text + "\n";
+  CHECK_THAT(labels, Contains("225°, 315°"));
 }
 
 TEST_CASE("pump: no flywheel is told of where none is needed", "[pump][sheets]") {
