@@ -72,11 +72,14 @@ std::optional<Segment> straight_part(const Figure& figure, std::size_t mark, Box
   return clip_segment(path.start, path.pieces.front().end, window);
 }
 
-// The smallest in which this point shows, of a close-up or a chart; none: the drawing area alone.
+// The smallest in which this point shows, of a close-up or a chart; none: the drawing area alone. What stands at the
+// border of one has its letters on either side of it.
 std::optional<Box> window_around(const Figure& figure, Point at, Box area) {
+  constexpr double border = 1.5;  // mm
   std::optional<Box> found;
   for (const Box& window : figure.windows)
-    if (contains(window, at) && !contains(window, area) && (!found || window.width() < found->width()))
+    if (contains(grown(window, -border), at) && !contains(window, area) &&
+        (!found || window.width() < found->width()))
       found = window;
   return found;
 }

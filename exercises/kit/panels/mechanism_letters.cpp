@@ -173,8 +173,10 @@ void Mechanism::draw_numbers(Plot& plot) const {
       for (const double side : {-beside_number, 0.0, beside_number})  // and the number of the frame
         all.push_back(P.at + (below_support + middle_of_number) * down + side * geometry::quarter_turn(down));
     }
-    const std::vector<Place> met = crossings(edges({body}), edges(bodies_));
-    all.insert(all.end(), met.begin(), met.end());
+    if (corners.size() == 2) {  // of a bar; a plate is seen beneath what crosses it
+      const std::vector<Place> met = crossings(edges({body}), edges(bodies_));
+      all.insert(all.end(), met.begin(), met.end());
+    }
     begin_step_of(plot, body.points);
     plot.label(std::to_string(body.number), place_of_number(corners, all), middle());
   }

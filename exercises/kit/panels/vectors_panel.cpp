@@ -35,6 +35,7 @@ drawings::Box VectorsPanel::extent(const Scale& lengths, const Scale& vectors) c
 std::vector<drawings::Block> VectorsPanel::draw(Plot& plot, const drawings::Box&, Language language) const {
   mechanism_->draw(plot);
   for (const Acting& each : acting_) {
+    draw_terms(plot, each);
     const double mm = drawings::distance(plot.at(each.at), plot.at(plot.tip(each.at, each.v)));
     plot.vector_on(each.quantity.name, each.at, each.v,
                    each.quantity.unit == "m/s" ? Meaning::velocity : Meaning::acceleration,

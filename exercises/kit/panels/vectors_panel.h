@@ -36,12 +36,16 @@ class VectorsPanel : public Panel {
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override;
   void draw_given(Plot& plot, const drawings::Box&, Language) const override { mechanism_->draw_given(plot); }
 
- private:
+ protected:
   struct Acting {
     VectorQuantity quantity;
     Place at;
     Arrow2 v;
   };
+  // What leads to the vector's tip: drawn before it, so that it is not set aside from there.
+  virtual void draw_terms(Plot&, const Acting&) const {}
+
+ private:
   std::shared_ptr<const Mechanism> mechanism_;
   std::vector<Acting> acting_;
   std::vector<std::pair<std::string, std::string>> squares_;

@@ -38,19 +38,19 @@ std::vector<PolesStep> steps_to_pole(const Solution& s, int link, const std::str
                Where::pole}};
   if (s.value(angular_acceleration(link).name) == 0.0)
     return {{format_words("{} = 0, and so $γ$ = 0: the ray from ${}$ to {} runs along {}.",
-                          "{} = 0, e quindi $γ$ = 0: il raggio da ${}$ a {} corre lungo la {}.", alpha,
+                          "{} = 0, e quindi $γ$ = 0: la semiretta da ${}$ a {} corre lungo la {}.", alpha,
                           point_letters(A), K, acceleration(A).arrow()),
              Where::ray, A},
             {format_words("The ray from ${}$ runs along {}. The two meet in {}.",
-                          "Il raggio da ${}$ corre lungo la {}. I due si incontrano in {}.", point_letters(B),
+                          "La semiretta da ${}$ corre lungo la {}. Le due si incontrano in {}.", point_letters(B),
                           acceleration(B).arrow(), K),
              Where::ray, B}};
   return {{format_words("{0} turned by $γ$ in the sense of {1}, tan $γ$ = |{2}|: the ray from ${3}$ to {4}.",
-                        "La {0} ruotata di $γ$ nel verso di {1}, tg $γ$ = |{2}|: il raggio da ${3}$ a {4}.",
+                        "La {0} ruotata di $γ$ nel verso di {1}, tg $γ$ = |{2}|: la semiretta da ${3}$ a {4}.",
                         acceleration(A).arrow(), alpha, tan, point_letters(A), K),
            Where::ray, A},
           {format_words("{} turned by the same $γ$: the ray from ${}$. The two meet in {}.",
-                        "La {} ruotata dello stesso $γ$: il raggio da ${}$. I due si incontrano in {}.",
+                        "La {} ruotata dello stesso $γ$: la semiretta da ${}$. Le due si incontrano in {}.",
                         acceleration(B).arrow(), point_letters(B), K),
            Where::ray, B}};
 }

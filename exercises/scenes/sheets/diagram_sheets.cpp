@@ -21,21 +21,8 @@ class DiagramPanel : public VectorsPanel {
                VectorQuantity (*vector)(const std::string& of), const std::vector<std::string>& points,
                std::vector<MotionStep> steps)
       : VectorsPanel(solution, mechanism, vector, points), steps_(std::move(steps)) {
-    for (const std::string& X : points) vectors_.insert({X, {mechanism->at(X), solution.vector(vector(X).name)}});
-  }
-
-  // The terms of a sum are thin, from where the sum begins to its tip: drawn before it, which then is not set aside
-  // from the triangle that it closes.
-  std::vector<drawings::Block> draw(Plot& plot, const drawings::Box& room, Language language) const override {
-    for (const MotionStep& step : steps_) {
-      const auto sum = vectors_.find(step.of), first = vectors_.find(step.from);
-      if (sum == vectors_.end() || first == vectors_.end()) continue;
-      const auto& [X, v] = sum->second;
-      const Place corner = plot.tip(X, first->second.second);
-      plot.segment(X, corner, Meaning::construction);
-      plot.segment(corner, plot.tip(X, v), Meaning::construction);
-    }
-    return VectorsPanel::draw(plot, room, language);
+    for (const std::string& X : points)
+      vectors_.insert({X, {vector(X).name, mechanism->at(X), solution.vector(vector(X).name)}});
   }
 
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override {
@@ -43,14 +30,30 @@ class DiagramPanel : public VectorsPanel {
     for (const MotionStep& step : steps_) {
       placed.push_back({step.text});
       if (const auto found = vectors_.find(step.of); found != vectors_.end())
-        placed.back().at = plot.tip(found->second.first, found->second.second);
+        placed.back().at = plot.tip(found->second.at, found->second.v);
     }
     return placed;
   }
 
  private:
+  // Those of a sum are thin, from where the sum begins to its tip: the triangle is closed by it.
+  void draw_terms(Plot& plot, const Acting& drawn) const override {
+    for (const MotionStep& step : steps_) {
+      const auto sum = vectors_.find(step.of), first = vectors_.find(step.from);
+      if (sum == vectors_.end() || first == vectors_.end() || sum->second.quantity != drawn.quantity.name) continue;
+      const Place corner = plot.tip(drawn.at, first->second.v);
+      plot.segment(drawn.at, corner, Meaning::construction);
+      plot.segment(corner, plot.tip(drawn.at, drawn.v), Meaning::construction);
+    }
+  }
+
+  struct Vector {
+    std::string quantity;
+    Place at;
+    Arrow2 v;
+  };
   std::vector<MotionStep> steps_;
-  std::map<std::string, std::pair<Place, Arrow2>> vectors_ = {};
+  std::map<std::string, Vector> vectors_ = {};  // by their points
 };
 
 // How far points lie from the lines that the file tells them from.

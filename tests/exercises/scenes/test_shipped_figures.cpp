@@ -335,6 +335,11 @@ TEST_CASE("vectors set aside from one link stand beside each other, and sums clo
     leads += drawings::distance(line.path.pieces[0].end, v_K.to) < 0.01;
   }
   CHECK(leads == 2);
+  // The terms of another sum, through the tip of a_C, do not keep that on its link.
+  const DrawnSheet gear = shipped("cardan-gear", "accelerations");
+  const auto hinges = all_of<drawings::Hinge>(gear);
+  REQUIRE(hinges.size() == 1);
+  CHECK(drawings::distance(arrow(gear, "a_C").from, hinges[0].at) > 1);
 }
 
 TEST_CASE("coordinates of centres tell from where they count", "[scenes]") {
