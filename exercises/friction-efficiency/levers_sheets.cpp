@@ -67,8 +67,6 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
     FreeBodyPanel panel(std::make_shared<const Mechanism>(std::move(drawn)));
     const std::string k = std::to_string(lever);
     panel.to_scale();
-    at.directed(panel, is_loaded ? "Q" : "P");
-    if (is_loaded) at.directed(panel, "n");
     if (is_loaded)
       panel.load(of.load("Q", "", ""), at.attacked(lever));
     else
@@ -104,7 +102,7 @@ PanelSheet levers(const Solution& s, const std::string& name, int loaded_lever, 
              on.contact.label + Words{" in the two motions.", " nei due moti."}.in(language)));
   results.push_back(of.results({"self_locking_friction_angle_deg"}));
   if (of.s.value(of.name("self_locking_friction_angle_deg"))) results.push_back(remark(locks_from.in(language)));
-  Panels all = panels(first, second);
+  Panels all = panels(levers_with_givens(at, of.load("Q", "", ""), of.known(P_of(direct), "", "")), first, second);
   const auto add_motion = [&](const std::string& suffix, const Sides& by, const std::optional<SharedOut>& of_loaded,
                               const std::optional<SharedOut>& of_driven) {
     const Chain in_motion = chained(suffix);

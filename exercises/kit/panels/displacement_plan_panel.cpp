@@ -40,7 +40,7 @@ drawings::Box DisplacementPlanPanel::extent(const Scale& lengths, const Scale& v
   return extent.box();
 }
 
-void DisplacementPlanPanel::draw_bar(Plot& plot, const PlannedBar& bar, Language language) const {
+void DisplacementPlanPanel::draw_bar(Plot& plot, const PlannedBar& bar, double off, Language language) const {
   const double mm = 1 / plot.scale().mm_per_unit;
   const auto at = [&](const Place& P) { return on_plane(plot, P); };
   const Place begin = at(bar.corners[0]), end = at(bar.corners[3]), turned = at(bar.tangent), axis{end.x, 0};
@@ -63,9 +63,9 @@ void DisplacementPlanPanel::draw_bar(Plot& plot, const PlannedBar& bar, Language
     const Place &from = bar.bending_counts_down ? end : turned, &to = bar.bending_counts_down ? turned : end;
     plot.onto().measurements.push_back({bar.bends, plot.at(from), plot.at(to), per_mm, Measurement::along_y});
   }
-  const Arrow2 off{whole_off * mm, 0};
-  plot.segment(end, end + off, Meaning::construction);
-  plot.side("", axis + off, end + off, Meaning::force, letters(bar.end, bar.corners[3].y), axis);
+  const Arrow2 aside{off * mm, 0};
+  plot.segment(end, end + aside, Meaning::construction);
+  plot.side("", axis + aside, end + aside, Meaning::force, letters(bar.end, bar.corners[3].y), axis);
   plot.onto().measurements.push_back({bar.rise, plot.at(axis), plot.at(end), per_mm, Measurement::along_y});
   plot.dot(end, Meaning::link);
   plot.label(bar.end_letters, axis, axis + Arrow2{0, end.y < 0 ? -mm : mm});
@@ -77,7 +77,11 @@ std::vector<drawings::Block> DisplacementPlanPanel::draw(Plot& plot, const drawi
   constexpr double support = 6;  // mm
   plot.mark(drawings::Ground{plot.at(Place{0, support * mm}), plot.at(Place{0, -support * mm})});
   plot.label(begin_, {0, 0}, Place{mm, -mm});
-  for (const PlannedBar& bar : bars_) draw_bar(plot, bar, language);
+  for (std::size_t i = 0; i < bars_.size(); ++i) {
+    // To the left where the next end would be near.
+    const double there = bars_[i].corners[3].x, next = i + 1 < bars_.size() ? bars_[i + 1].corners[3].x : HUGE_VAL;
+    draw_bar(plot, bars_[i], next - there < 2 * whole_off * mm ? -whole_off : whole_off, language);
+  }
   return {};
 }
 

@@ -33,7 +33,8 @@ class DisplacementPlanPanel : public Panel {
   std::vector<PanelStep> steps(const Plot& plot, const drawings::Box&) const override;
 
  private:
-  void draw_bar(Plot& plot, const PlannedBar& bar, Language language) const;
+  // `off`: where the end's whole displacement is drawn, mm to the right of it.
+  void draw_bar(Plot& plot, const PlannedBar& bar, double off, Language language) const;
 
   std::string begin_;
   std::vector<PlannedBar> bars_;

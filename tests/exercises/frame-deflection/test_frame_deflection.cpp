@@ -140,3 +140,21 @@ TEST_CASE("a ruler on the sheets reads moments, displacements and shares", "[fra
     }
   }
 }
+
+// The lower bar is 6 mm long on the paper: to the right of B its displacement would stand beyond C.
+TEST_CASE("a displacement stands at its own end, however near the next one is", "[frame-deflection][sheets]") {
+  const auto to_the_right = [](const Assignments& given) {
+    const DrawnSheet drawn = frame().draw("displacement-plan", given);
+    const auto place = [&](const std::string& letters) {
+      for (const drawings::Label& each : drawn.sheet.figure.labels)
+        if (each.text.starts_with(letters)) return each.at.x;
+      throw std::logic_error("no letters " + letters);
+    };
+    return std::pair(place("$w_{B}$") - place("$B$"), place("$C$") - place("$B$"));
+  };
+  const auto [wide, far] = to_the_right({});
+  CHECK(wide > 0);
+  CHECK(wide < far);
+  const auto [narrow, near] = to_the_right({"L_1=300", "L_2=1500", "s_r=50", "H_r=20"});
+  CHECK(narrow < near);
+}

@@ -1,6 +1,9 @@
 // The sheets of the mechanisms with friction, whatever is given.
+#include <set>
+
 #include "drawings/paths/vectors.h"
 #include "tests/exercises/arrows_of.h"
+#include "tests/exercises/drawn_marks.h"
 #include "tests/exercises/friction-efficiency/cases.h"
 #include "tests/exercises/told_words.h"
 
@@ -89,6 +92,18 @@ TEST_CASE("friction: the lines of load, effort and normal stand at their angles"
   CHECK(!has_letters(friction().draw("levers", {"sliding_levers.direction_P=0"}), "$δ_{P}$"));
 }
 
+TEST_CASE("friction: the levers stand on their frame, with the dimensions that are given",
+          "[friction-efficiency][sheets]") {
+  for (const char* sheet : {"levers", "levers-Q-on-2"}) {
+    CAPTURE(sheet);
+    const DrawnSheet drawn = friction().draw(sheet, {});
+    CHECK(all_of<drawings::FixedHinge>(drawn).size() == 2);
+    std::set<std::string> dimensions;
+    for (const drawings::Dimension& each : all_of<drawings::Dimension>(drawn)) dimensions.insert(each.text);
+    for (const char* each : {"$x_{Q}$", "$x_{C}$", "$y_{C}$", "$b_{P}$"}) CHECK(dimensions.contains(each));
+  }
+}
+
 TEST_CASE("friction: the retrograde motion has a line of the link of its own", "[friction-efficiency][sheets]") {
   CHECK(has_letters(friction().draw("double-slider", {}), "$t'$"));
   CHECK(!has_letters(friction().draw("double-slider", {"phi=0"}), "$t'$"));
@@ -166,10 +181,11 @@ TEST_CASE("friction: letters find room", "[friction-efficiency][sheets]") {
   letters_find_room(friction(), {{}, {"phi=12"}, {"wedge_collar.theta=25", "fairbairn.theta=10"}});
 }
 
-TEST_CASE("friction: the normal that the steps name stands at both levers", "[friction-efficiency][sheets]") {
+TEST_CASE("friction: the normal that the steps name stands at both levers and the whole",
+          "[friction-efficiency][sheets]") {
   for (const char* sheet : {"levers", "levers-Q-on-2"}) {
     const std::vector<drawings::Label> labels = friction().draw(sheet, {}).sheet.figure.labels;
-    CHECK(std::count_if(labels.begin(), labels.end(), [](const auto& each) { return each.text == "$n$"; }) == 2);
+    CHECK(std::count_if(labels.begin(), labels.end(), [](const auto& each) { return each.text == "$n$"; }) == 3);
   }
 }
 
