@@ -70,8 +70,10 @@ class Placement {
           option.cost += price::past_stranger;
         continue;
       }
+      const Point here = middle(option.box);
+      const Segment way{nearest_on(naming.own.first, naming.own.second, here), here};
       for (const Segment& other : naming.not_between)
-        if (cross({naming.own.first, middle(option.box)}, other)) option.cost += price::behind_another;
+        if (cross(way, other)) option.cost += price::behind_another;
       const double own = gap(option.box, naming.own.first, naming.own.second), reach = own + clearly_nearer;
       double nearest = reach;
       for (const auto& [from, to] : naming.others)
