@@ -99,7 +99,7 @@ Segment leader_between(Box box, Point anchor) {
 // Letters farther off than they are high, and clearly so, are joined to their point. (The number of a step has a
 // circle that tells where it ends.)
 std::optional<Segment> leader_of_far(const LabelBox& label, double gap, Box box, Point at) {
-  constexpr double far = 3;  // mm
+  constexpr double far = 3.5;  // mm
   const bool is_near = label.number != LabelBox::Number::no || gap < std::max(far, label.height);
   return is_near ? std::nullopt : std::optional(leader_between(box, at));
 }
