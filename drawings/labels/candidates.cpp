@@ -96,13 +96,23 @@ Segment leader_between(Box box, Point anchor) {
   return {start, anchor - 0.9 * unit(start, anchor)};
 }
 
+// Letters farther off than they are high, and clearly so, are joined to their point. (The number of a step has a
+// circle that tells where it ends.)
+std::optional<Segment> leader_of_far(const LabelBox& label, double gap, Box box, Point at) {
+  constexpr double far = 3.5;  // mm
+  const bool is_near = label.number != LabelBox::Number::no || gap < std::max(far, label.height);
+  return is_near ? std::nullopt : std::optional(leader_between(box, at));
+}
+
 // Places inside `area`, priced by themselves.
 std::vector<Candidate> around_point(const LabelBox& label, Point at, Box area) {
   std::vector<Candidate> places;
   for (const double gap : near_gaps)
     for (const Point u : directions) {
       const Box box = box_beside(at, u, gap, label);
-      if (contains(area, box)) places.push_back({box, {}, (gap - near_gaps.front()) + side_cost(u, label, at)});
+      if (contains(area, box))
+        places.push_back(
+            {box, leader_of_far(label, gap, box, at), (gap - near_gaps.front()) + side_cost(u, label, at)});
     }
   return places;
 }
@@ -173,7 +183,12 @@ std::vector<Candidate> clear_places_around_point(const LabelBox& label, const Ob
 
 std::vector<Candidate> clear_places(const LabelBox& label, const Obstacles& obstacles, Box area) {
   const auto shown = shown_of(label, area);
-  return shown ? clear_of(beside(label, *shown, area), obstacles) : std::vector<Candidate>{};
+  if (!shown) return {};
+  std::vector<Candidate> places = clear_of(beside(label, *shown, area), obstacles);
+  for (Candidate& place : places)
+    if (place.leader)
+      place.cost += price::short_leader + price::leader_crossing * crossings(*place.leader, obstacles);
+  return places;
 }
 
 std::vector<Candidate> places_with_leader(const LabelBox& label, const Obstacles& obstacles, Box area) {

@@ -25,6 +25,7 @@ inline constexpr double as_near_as_own = 8;     // another step's line, to a ste
 inline constexpr double along_line = 0.4;       // a millimetre, from the place of a step's number
 inline constexpr double crowded = 8;            // as near to a line as possible without touching
 inline constexpr double leader = 14;            // more than any bad choice of side
+inline constexpr double short_leader = 5;       // to letters that stand a little off: any near place is better
 inline constexpr double leader_crossing = 1.5;  // a line under the leader
 inline constexpr double touch_thin = 45, touch_heavy = 70, inside = 6;  // then a millimetre of line under it
 inline constexpr double stranger = 42;           // nearer to another thing of the kind it names: a leader is better

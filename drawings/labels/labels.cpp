@@ -67,14 +67,16 @@ class Placement {
   static void add_strangers(const Naming& naming, std::vector<Candidate>& options) {
     constexpr double clearly_nearer = 1;  // mm
     for (Candidate& option : options) {
+      const Point here = middle(option.box);
+      const Segment way{nearest_on(naming.own.first, naming.own.second, here), here};
+      for (const Segment& other : naming.not_between)
+        if (cross(way, other)) option.cost += price::behind_another;
       if (option.leader) {
         if (std::any_of(naming.others.begin(), naming.others.end(),
                         [&](const Segment& other) { return cross(*option.leader, other); }))
           option.cost += price::past_stranger;
         continue;
       }
-      for (const Segment& other : naming.not_between)
-        if (cross({naming.own.first, middle(option.box)}, other)) option.cost += price::behind_another;
       const double own = gap(option.box, naming.own.first, naming.own.second), reach = own + clearly_nearer;
       double nearest = reach;
       for (const auto& [from, to] : naming.others)

@@ -15,8 +15,8 @@ namespace epure::drawings {
 using Segment = std::pair<Point, Point>;
 
 // A vector, a line or a point (a segment of no length) that letters name, and others that they seem to name when they
-// stand nearer to these. Between a point and its letters lies no vector that does not end there, and between an arc
-// and its letters no link.
+// stand nearer to these. Between a point, a link or an arc and its letters lies no vector that does not end there and
+// no centre line, and between an arc and its letters no link.
 struct Naming {
   Segment own;
   std::vector<Segment> others;

@@ -169,12 +169,16 @@ Naming Namesakes::of(const Label& label, double width) const {
   };
   if (label.to) {
     if (!is_among(vectors_)) is_among(lines_);
-  } else if (const bool is_point = on_one(points_, at, at); is_point || !is_among(lines_)) {
-    if (!is_point) add_arcs(naming, at, reach);
-    const Shown point{{at, at}, {at, at}, Meaning::text};
-    add_others(naming, points_, label, point, reach);
-    add_others(naming, labelled_points_, label, point, reach);
-    if (is_point) add_passing(naming, vectors_, {}, at, reach);
+  } else {
+    const bool is_point = on_one(points_, at, at) != nullptr;
+    if (is_point || !is_among(lines_)) {
+      if (!is_point) add_arcs(naming, at, reach);
+      const Shown point{{at, at}, {at, at}, Meaning::text};
+      add_others(naming, points_, label, point, reach);
+      add_others(naming, labelled_points_, label, point, reach);
+    }
+    add_passing(naming, vectors_, {}, at, reach);
+    add_passing(naming, lines_, Meaning::axis, at, reach);
   }
   return naming;
 }

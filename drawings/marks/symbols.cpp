@@ -63,7 +63,10 @@ void draw_mark(Canvas& canvas, const Arrow& arrow) {
   demand_drawable(arrow.to);
   const LineStyle style = line_style(arrow.meaning);
   const double total = distance(arrow.from, arrow.to);
-  if (total < head_length) return point(canvas, arrow.to, style.colour, arrow.name);
+  if (total < head_length) {  // joined to where it starts, or a polygon of vectors would gape there
+    if (total > dot_radius) canvas.stroke(segment(arrow.from, arrow.to), {style.width / 2, {}, style.colour});
+    return point(canvas, arrow.to, style.colour, arrow.name);
+  }
   const double head = std::min(head_length, total / 3);
   // The shaft ends inside the head, where it is wider than the shaft: its square end must not blunt the tip.
   const Point neck = arrow.to - 0.8 * head * unit(arrow.from, arrow.to);

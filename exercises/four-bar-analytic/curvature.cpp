@@ -193,7 +193,7 @@ PanelSheet curvature_sheet(const Solution& s, Language language) {
                         .in(language))}}},
       .results = {table({"$X$", "$x$ (m)", "$y$ (m)"}, rows), values({"rho_G3"}), values({"inflection_diameter"})},
       .seen = {"The inflection circle of the coupler and the centre of curvature of the path of its midpoint",
-               "La circonferenza dei flessi della biella e il centro di curvatura della traiettoria della mezzeria"},
+               "La circonferenza dei flessi della biella e il centro di curvatura della traiettoria del punto medio"},
       .told = {"rho_G3", "curvature_centre_G3_x", "curvature_centre_G3_y"},
       .without_part = {"AP_along", "AP_across"}};
 }

@@ -114,7 +114,7 @@ PanelSheet velocities_sheet(const Solution& s, Language language) {
                            "La tabella della fonte scrive $\\vec{v}_{B}$ ∥ $B_{0}B$: invece le è perpendicolare."},
                           language)},
           .seen = {"The polygon of the velocities of the four-bar, with the images of the links' midpoints",
-                   "Il poligono delle velocità del quadrilatero, con le immagini delle mezzerie"},
+                   "Il poligono delle velocità del quadrilatero, con le immagini dei punti medi"},
           .told = {"omega_3", "omega_4", "v_B", "v_G3"},
           .without_part = {"AP_along", "AP_across"}};
 }
@@ -137,7 +137,7 @@ PanelSheet accelerations_sheet(const Solution& s, Language language) {
                                      "tangenziale ciò che è lungo $AB$ e normale ad $AB$."},
                                     language)},
           .seen = {"The polygon of the accelerations of the four-bar, with the images of the links' midpoints",
-                   "Il poligono delle accelerazioni del quadrilatero, con le immagini delle mezzerie"},
+                   "Il poligono delle accelerazioni del quadrilatero, con le immagini dei punti medi"},
           .told = {"alpha_3", "alpha_4", "a_B", "a_G3"},
           .without_part = {"AP_along", "AP_across"}};
 }
@@ -155,8 +155,8 @@ Description description() {
            "accelerations, velocities and accelerations of the midpoints, the centre of curvature of the path of the "
            "coupler's midpoint, $ω_{4}$ over a turn of the crank, and the path of the coupler point P.",
            "Risolvere le equazioni di chiusura del quadrilatero articolato in entrambe le configurazioni. Trovare "
-           "velocità e accelerazioni angolari, velocità e accelerazioni delle mezzerie, il centro di curvatura della "
-           "traiettoria della mezzeria della biella, $ω_{4}$ in un giro della manovella e la traiettoria del punto "
+           "velocità e accelerazioni angolari, velocità e accelerazioni dei punti medi, il centro di curvatura della "
+           "traiettoria del punto medio della biella, $ω_{4}$ in un giro della manovella e la traiettoria del punto "
            "di biella P."},
       .givens = givens(),
       .printed = printed_by_the_source};
@@ -178,20 +178,20 @@ std::unique_ptr<Exercise> make_four_bar_analytic() {
          {"Polar diagram of velocity", "Diagramma polare delle velocità"},
          {"Find the angular velocities of the four-bar linkage and the velocities of the midpoints by the polar "
           "diagram.",
-          "Trovare le velocità angolari del quadrilatero articolato e le velocità delle mezzerie con il diagramma "
+          "Trovare le velocità angolari del quadrilatero articolato e le velocità dei punti medi con il diagramma "
           "polare."}},
         velocities_sheet},
        {{"accelerations",
          {"Polar diagram of acceleration", "Diagramma polare delle accelerazioni"},
          {"Find the angular accelerations of the four-bar linkage and the accelerations of the midpoints by the "
           "polar diagram.",
-          "Trovare le accelerazioni angolari del quadrilatero articolato e le accelerazioni delle mezzerie con il "
+          "Trovare le accelerazioni angolari del quadrilatero articolato e le accelerazioni dei punti medi con il "
           "diagramma polare."}},
         accelerations_sheet},
        {{"curvature",
          {"Curvature of the path of G₃", "Curvatura della traiettoria di G₃"},
          {"Find the centre of curvature of the path of the coupler's midpoint.",
-          "Trovare il centro di curvatura della traiettoria della mezzeria della biella."}},
+          "Trovare il centro di curvatura della traiettoria del punto medio della biella."}},
         curvature_sheet},
        {{"omega-4",
          {"ω₄ over a turn of the crank", "ω₄ in un giro della manovella"},

@@ -266,10 +266,10 @@ class CentresPanel : public Panel {
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override {
     std::vector<PanelStep> all;
     if (P24_)
-      all.push_back({{"$P_{12}$ ≡ $A_{0}$ and $P_{14}$ ≡ $B_{0}$ turn on the frame; $P_{24}$, where the line $AB$ "
-                      "meets it, has one velocity as a point of crank and of rocker.",
-                      "$P_{12}$ ≡ $A_{0}$ e $P_{14}$ ≡ $B_{0}$ stanno sul telaio; $P_{24}$, dove la retta $AB$ lo "
-                      "incontra, ha una sola velocità come punto di manovella e di bilanciere."},
+      all.push_back({{"$P_{12}$ ≡ $A_{0}$ and $P_{14}$ ≡ $B_{0}$ are the frame's hinges; $P_{24}$, where $AB$ meets "
+                      "$A_{0}B_{0}$, has one velocity as a point of crank and of rocker.",
+                      "$P_{12}$ ≡ $A_{0}$ e $P_{14}$ ≡ $B_{0}$ sono le cerniere del telaio; $P_{24}$, dove $AB$ "
+                      "incontra $A_{0}B_{0}$, ha una sola velocità come punto di manovella e di bilanciere."},
                      P24_});
     all.push_back({{"$ω_{4}$ = $ω_{2}$·$P_{12}P_{24}$ / $P_{14}P_{24}$. $ω_{2}$ is held constant.",
                     "$ω_{4}$ = $ω_{2}$·$P_{12}P_{24}$ / $P_{14}P_{24}$. $ω_{2}$ è costante."}});
@@ -284,10 +284,10 @@ class CentresPanel : public Panel {
 std::vector<Result> explained(const FourBarInstant& at, Language language) {
   const Words extremes =
       why_no_extremes(at.lengths).empty()
-          ? Words{"Extreme where the collineation axis $P_{13}P_{24}$ is perpendicular to $AB$ (Freudenstein): "
-                  "$α_{4}$ = 0.",
-                  "Estrema dove l'asse di collineazione $P_{13}P_{24}$ è normale ad $AB$ (Freudenstein): $α_{4}$ = "
-                  "0."}
+          ? Words{"Extreme where the line from $P_{24}$ to the meet $P_{13}$ of $A_{0}A$ and $B_{0}B$ (collineation "
+                  "axis) is perpendicular to $AB$ (Freudenstein): $α_{4}$ = 0.",
+                  "Estrema dove la retta da $P_{24}$ all'incontro $P_{13}$ di $A_{0}A$ e $B_{0}B$ (asse di "
+                  "collineazione) è normale ad $AB$ (Freudenstein): $α_{4}$ = 0."}
       : !geometry::crank_turns_fully(at.lengths)
           ? Words{"The crank cannot turn fully: $ω_{4}$ grows beyond all bounds at its limit positions, where both "
                   "branches meet. No extremes.",

@@ -89,12 +89,12 @@ PanelSheet velocities_sheet(const Solution& s, Language language) {
           {{{"Differentiated constraints", "Vincoli derivati"},
             {remark("($ω_{3}$, $ω_{4}$) = −$ψ^{−1}_{\\it{y}}$ $ψ_{\\it{x}}$ $ω_{2}$,  $ψ_{\\it{x}}$ = ∂$ψ$/∂$θ_{2}$"),
              remark("$ω_{2}$ = 2π·$n_{2}$/60"), values({"omega_3"}), values({"omega_4"})}},
-           {{"Midpoints", "Mezzerie"},
+           {{"Midpoints", "Punti medi"},
             {remark(with_sine(unit_vectors, language)), remark("$\\vec{v}_{G2}$ = ½$r_{2}$$ω_{2}$$\\vec{n}_{2}$"),
              remark("$\\vec{v}_{G3}$ = $r_{2}$$ω_{2}$$\\vec{n}_{2}$ + ½$r_{3}$$ω_{3}$$\\vec{n}_{3}$"),
              remark("$\\vec{v}_{G4}$ = −½$r_{4}$$ω_{4}$$\\vec{n}_{4}$")}}},
       .results = {midpoints_table("v", "m/s")},
-      .seen = {"Velocities of the midpoints of the links", "Velocità delle mezzerie delle aste"},
+      .seen = {"Velocities of the midpoints of the links", "Velocità dei punti medi delle aste"},
       .told = {"v_G2", "v_G3", "v_G4"}};
 }
 
@@ -112,14 +112,14 @@ PanelSheet accelerations_sheet(const Solution& s, Language language) {
                     "$(ψ_{\\it{y}}\\vec{ω})_{\\it{y}}\\vec{ω}$ + "
                     "$(ψ_{\\it{x}}ω_{2})_{\\it{x}}$$ω_{2}$)"),
              remark("$\\vec{ω}$ = ($ω_{3}$, $ω_{4}$)"), values({"alpha_3"}), values({"alpha_4"})}},
-           {{"Midpoints", "Mezzerie"},
+           {{"Midpoints", "Punti medi"},
             {remark(with_sine(unit_vectors, language)),
              remark("$\\vec{a}_{A}$ = $r_{2}$($α_{2}$$\\vec{n}_{2}$ − $ω^{2}_{2}$$\\vec{u}_{2}$),  $\\vec{a}_{G2}$ = "
                     "½$\\vec{a}_{A}$"),
              remark("$\\vec{a}_{G3}$ = $\\vec{a}_{A}$ + ½$r_{3}$($α_{3}$$\\vec{n}_{3}$ − $ω^{2}_{3}$$\\vec{u}_{3}$)"),
              remark("$\\vec{a}_{G4}$ = −½$r_{4}$($α_{4}$$\\vec{n}_{4}$ − $ω^{2}_{4}$$\\vec{u}_{4}$)")}}},
       .results = {midpoints_table("a", "m/s²")},
-      .seen = {"Accelerations of the midpoints of the links", "Accelerazioni delle mezzerie delle aste"},
+      .seen = {"Accelerations of the midpoints of the links", "Accelerazioni dei punti medi delle aste"},
       .told = {"a_G2", "a_G3", "a_G4"}};
 }
 
@@ -164,11 +164,11 @@ PanelSheet comparison_sheet(const Solution& s, Language language) {
                           "which the midpoints halve the sides; rounded to three figures, as many as a "
                           "drawing gives.",
                           "Costruzione (N.10, tavole 2 e 3): $B$ con due archi, poi due poligoni di vettori, dei "
-                          "quali le mezzerie dimezzano i lati; arrotondata a tre cifre, quante ne dà un "
+                          "quali i punti medi dimezzano i lati; arrotondata a tre cifre, quante ne dà un "
                           "disegno."}
                         .in(language))}}},
       .seen = {"The four-bar linkage, and its angles, rates and midpoints by three methods side by side",
-               "Il quadrilatero, con le sue anomalie, velocità e mezzerie per tre vie a confronto"},
+               "Il quadrilatero, con le sue anomalie, velocità e punti medi per tre vie a confronto"},
       .told = {"theta_3", "theta_4", "omega_3", "omega_4", "alpha_3", "alpha_4"}};
 }
 
@@ -184,7 +184,7 @@ Description description() {
           {"Write the constraint equations of the four-bar linkage and solve them by Newton-Raphson from the given "
            "start. Find velocities and accelerations of the midpoints, and compare with the closure equations.",
            "Scrivere le equazioni di vincolo del quadrilatero articolato e risolverle con Newton-Raphson dai valori "
-           "iniziali dati. Trovare velocità e accelerazioni delle mezzerie, e confrontare con le equazioni di "
+           "iniziali dati. Trovare velocità e accelerazioni dei punti medi, e confrontare con le equazioni di "
            "chiusura."},
       .givens = givens(),
       .printed = printed_by_the_source};
@@ -212,20 +212,20 @@ std::unique_ptr<Exercise> make_four_bar_constraints() {
           "dati, e disegnare come diminuiscono i residui."}},
         convergence_sheet},
        {{"velocities",
-         {"Velocities of the midpoints", "Velocità delle mezzerie"},
+         {"Velocities of the midpoints", "Velocità dei punti medi"},
          {"Find the velocities of the midpoints of the four-bar linkage from the constraint equations.",
-          "Trovare le velocità delle mezzerie del quadrilatero articolato dalle equazioni di vincolo."}},
+          "Trovare le velocità dei punti medi del quadrilatero articolato dalle equazioni di vincolo."}},
         velocities_sheet},
        {{"accelerations",
-         {"Accelerations of the midpoints", "Accelerazioni delle mezzerie"},
+         {"Accelerations of the midpoints", "Accelerazioni dei punti medi"},
          {"Find the accelerations of the midpoints of the four-bar linkage from the constraint equations.",
-          "Trovare le accelerazioni delle mezzerie del quadrilatero articolato dalle equazioni di vincolo."}},
+          "Trovare le accelerazioni dei punti medi del quadrilatero articolato dalle equazioni di vincolo."}},
         accelerations_sheet},
        {{"comparison",
          {"Three methods compared", "Confronto dei tre metodi"},
          {"Find velocities and accelerations of the midpoints of the four-bar linkage by constraint equations, "
           "closure equations and polar diagrams, and compare.",
-          "Trovare velocità e accelerazioni delle mezzerie del quadrilatero articolato con le equazioni di vincolo, "
+          "Trovare velocità e accelerazioni dei punti medi del quadrilatero articolato con le equazioni di vincolo, "
           "le equazioni di chiusura e i diagrammi polari, e confrontare."}},
         comparison_sheet}});
 }

@@ -151,11 +151,12 @@ Panels open_linkage(const Solution& s) {
         "$\\vec{ψ}^{\\it{k}}$ va da $B^{\\it{k}}_{4}$, estremo del membro 4, a $B^{\\it{k}}_{3}$, estremo del membro "
         "3."},
        Place{(on_coupler.x + 2 * on_rocker.x) / 3, (on_coupler.y + 2 * on_rocker.y) / 3}},
-      {format_words("Each step turns both links by −$ψ^{{−1}}_{{\\it{{y}}}}$ $ψ^{{\\it{{k}}}}$; after {} steps they "
-                    "meet at $B$.",
-                    "Ogni passo ruota i due membri di −$ψ^{{−1}}_{{\\it{{y}}}}$ $ψ^{{\\it{{k}}}}$; dopo {} passi si "
-                    "incontrano in $B$.",
-                    iterates(s) - 1),
+      {format_words(
+           "Each step turns both links by −$ψ^{{−1}}_{{\\it{{y}}}}$ $ψ^{{\\it{{k}}}}$; after {} steps they "
+           "meet at $B$.",
+           "Ogni passo fa ruotare i due membri di −$ψ^{{−1}}_{{\\it{{y}}}}$ $ψ^{{\\it{{k}}}}$; dopo {} passi si "
+           "incontrano in $B$.",
+           iterates(s) - 1),
        s.place("B")}};
   steps.insert(steps.end(), closing.begin(), closing.end());
   if (is_beside) return panels(OpenLinkagePanel(s, Shows::all, {}), OpenLinkagePanel(s, Shows::gap, steps));

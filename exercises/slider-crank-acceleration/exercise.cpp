@@ -105,12 +105,15 @@ PanelSheet polar_diagram_sheet(const Solution& s, Language language) {
 
 PanelSheet circles_sheet(const Solution& s, Language) {
   const SliderCrankInstant instant = slider_crank_instant(s.givens());
+  CirclesPanel circles(s, slider_crank_mechanism(s, instant),
+                       {.pole = "P0",
+                        .driven = {"A", "A0"},
+                        .other = {.point = "B", .is_pole = instant.dead_centre},
+                        .driven_speeds_up = !is_zero(instant.alpha_2)});
+  CirclesPanel detail = circles;
+  constexpr double too_large = 4;  // reaches: up to that the mechanism is not tiny in one picture of both circles
   return {
-      .panels = panels(CirclesPanel(s, slider_crank_mechanism(s, instant),
-                                    {.pole = "P0",
-                                     .driven = {"A", "A0"},
-                                     .other = {.point = "B", .is_pole = instant.dead_centre},
-                                     .driven_speeds_up = !is_zero(instant.alpha_2)})),
+      .panels = circles.needs_detail(too_large) ? panels(circles.beside_detail(), detail.detail()) : panels(circles),
       .results = {coordinates(CirclesPanel::points("P0")), values({"inflection_diameter", "stationarity_diameter"})},
       .seen = {"Inflection and stationarity circle of the coupler, which meet in P₀ and K",
                "Circonferenze dei flessi e di stazionarietà della biella, che si incontrano in P₀ e K"},

@@ -21,7 +21,7 @@ namespace {
 
 // The polodes run to infinity: the sheet shows the plane around the mechanism, so many times its length wide; less of
 // it, with P0 where that is near, where twice as many points stand there.
-constexpr double widths = 2.4, widths_of_two_series = 1.4, near = 1.5;
+constexpr double widths = 2.2, widths_of_two_series = 1.4, near = 1.5;
 constexpr double middle_of_reach = 0.45;  // of the same length, from A0 along the guide
 
 Words division(const SliderCrankInstant& instant) {
@@ -92,18 +92,23 @@ class PolodesPanel : public Panel {
     const double half_wide = lengths.mm_per_unit * shown * size_ / 2, half_high = half_wide / 2;
     constexpr double letters = 8;  // mm
     Extent extent;
+    mechanism_.include(extent, lengths);
     extent.include(x - half_wide, y - half_high);
     extent.include(x + half_wide, y + half_high);
     if (has_two_series && P0_ && distance(*P0_, middle) < near * size_) extent.include(lengths, *P0_, letters);
     return extent.box();
   }
 
-  // The points of both curves near the mechanism, with its joints: where many are in one place it is drawn larger.
+  // B, through which both curves pass, and their points near the mechanism: where many are in one place it is drawn
+  // larger. As the curves roll on each other, points of both that are all but one are no crowd.
   std::vector<Place> lettered() const override {
-    std::vector<Place> all = mechanism_.corners();
+    constexpr double one_point = 0.012;  // of the mechanism's length: a millimetre, where it is drawn large
+    std::vector<Place> all{mechanism_.at("B")};
     for (const Position& at : positions_)
       for (const auto& P : {at.P0, at.P0_on_coupler})
-        if (P && distance(*P, mechanism_.at("A0")) < size_) all.push_back(*P);
+        if (P && distance(*P, mechanism_.at("A0")) < size_ &&
+            std::none_of(all.begin(), all.end(), [&](const Place& Q) { return distance(*P, Q) < one_point * size_; }))
+          all.push_back(*P);
     return all;
   }
 
@@ -231,7 +236,7 @@ class PolodesPanel : public Panel {
   }
 
   // Where the arcs about A meet the guide; a point of p that lies there has its number already.
-  void draw_B(Plot& plot) const {
+  void draw_B(Plot& plot, const drawings::Box& room) const {
     std::vector<std::pair<Place, std::string>> of_guide;
     for (const Position& at : positions_) {
       if (at.P0 && is_one_point(plot, *at.P0, at.B)) continue;
@@ -240,12 +245,16 @@ class PolodesPanel : public Panel {
     }
     const auto numbered = numbered_together(plot, of_guide);
     if (!has_room(plot, numbered)) return;
-    constexpr double half_guide = 14, hatched = 6;  // mm: about the block the numbers stand below its guide
+    // mm: about the block the numbers stand below its guide, to which lines lead
+    constexpr double half_guide = 14, hatched = 6;
     const double mm = plot.scale().mm_per_unit;
     const Arrow2 up{-guide().y, guide().x};
     for (const auto& [B, numbers] : numbered) {
+      if (!is_in(room, plot, B)) continue;
       const bool is_on_guide = distance(B, mechanism_.at("B")) * mm < half_guide;
-      plot.small_label(numbers, is_on_guide ? B + (-hatched / mm) * up : B, B + size_ * up, Meaning::construction);
+      const Place at = is_on_guide ? B + (-hatched / mm) * up : B;
+      if (is_on_guide) plot.segment(B, at, Meaning::dimension);
+      plot.small_label(numbers, at, B + size_ * up, Meaning::construction);
     }
   }
   // For the numbers of these points beside each other on the guide.
@@ -286,7 +295,7 @@ class PolodesPanel : public Panel {
       }
     }
     plot.in_step(Step::fixed);
-    draw_B(plot);
+    draw_B(plot, room);
     plot.in_step(Step::moving);
     for (const auto& [P0, numbers] : numbered_together(plot, of_moving_polode))
       plot.small_label(numbers, P0, A, Meaning::second_locus);

@@ -174,7 +174,9 @@ std::vector<PolesStep> steps_to_accelerations(const Solution& s) {
 PanelSheet velocity_sheet(const Solution& s, Language language) {
   const Instant instant(s.givens());
   const auto bar = bar_on_its_body(s);
-  PolesPanel poles(s, bar, PolesPanel::of_velocity("P0"), {"O", "A"}, steps_to_centre(s, language));
+  PolesPanel::Kind kind = PolesPanel::of_velocity("P0");
+  kind.times_smaller = 25;  // the sheet asks for it, and shows the bar itself larger
+  PolesPanel poles(s, bar, kind, {"O", "A"}, steps_to_centre(s, language));
   poles.sketched().compared_with(geometry::to_double(instant.omega), "|ω|").turning(sign_of(instant.omega), "$ω$");
   if (centre_of(instant) == Centre::by_the_tips) poles.by_the_tips();
   return {.panels = panels(MechanismPanel(bar, {{"A", s.place("A")}}), PolygonPanel(s, velocities(s)), poles),

@@ -314,6 +314,40 @@ TEST_CASE("no link lies between an arc and its letters") {
   }
 }
 
+TEST_CASE("between the number of a link, or an arc's letters, and what they name lies no vector and no centre line") {
+  const Point from = middle(a4_area), to = from + Point{20, 6}, beside = between(from, to, 0.5), above{0, 50};
+  Figure figure;
+  Segment passed{from, from + Point{60, 0}};
+  SECTION("a link beside the frame's line") {
+    figure.marks = {Line{segment(from, to), Meaning::link},
+                    Line{segment(passed.first, passed.second), Meaning::axis}};
+    figure.labels = {{"2", beside, {}, Meaning::text, beside + above}};
+  }
+  SECTION("a link beside a vector") {
+    figure.marks = {Line{segment(from, to), Meaning::link},
+                    Arrow{passed.first, passed.second, Meaning::acceleration}};
+    figure.labels = {{"2", beside, {}, Meaning::text, beside + above}};
+  }
+  SECTION("an arc beside a vector") {
+    constexpr double radius = 8;
+    const Point on_arc = from - Point{0, radius};
+    passed = {on_arc - Point{30, 1.5}, on_arc + Point{30, -1.5}};
+    figure.marks = {Rotation{from, radius, -2.2, -0.94}, Arrow{passed.first, passed.second, Meaning::acceleration}};
+    figure.labels = {{"$α_{3}$", on_arc, {}, Meaning::text, from}};
+  }
+  CHECK(middle(boxes(figure).at(0)).y > passed.first.y);
+}
+
+TEST_CASE("letters that stand far off their point are joined to it") {
+  const Point at = middle(a4_area);
+  for (const auto& [ring, joined] : {std::pair{0.9, false}, {3.2, true}}) {  // mm: room beside it, or beyond alone
+    Figure figure;
+    figure.marks = {Dot{at}, Line{circle(at, ring), Meaning::construction}};
+    figure.labels = {{.text = "10", .at = at, .size = 2.5}};
+    CHECK(probe::all<Stroke>(compose(bare(figure))).size() == (joined ? 2 : 1));
+  }
+}
+
 TEST_CASE("letters of two things do not stand in one row as one word") {
   constexpr double width = 5, height = 3;
   const Point left = middle(a4_area), right = left + Point{14, 0};

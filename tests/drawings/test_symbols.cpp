@@ -56,11 +56,16 @@ TEST_CASE("the number of a step stands in the middle of its circle") {
   }
 }
 
-TEST_CASE("a vector shorter than its head is a dot at its tip") {
+TEST_CASE("a vector shorter than its head is a dot at its tip, with a line to where it starts") {
   for (const double size : {0.0, 0.01, 1.0, 2.999}) {
     const Point to = centre + Point{size, 0};
     const Page page = page_of({Arrow{centre, to, Meaning::velocity, "v"}});
-    CHECK(probe::all<Stroke>(page).empty());
+    const auto lines = probe::all<Stroke>(page);
+    REQUIRE(lines.size() == (size > dot_radius ? 1 : 0));
+    if (!lines.empty()) {
+      CHECK(distance(lines[0].path.start, centre) < file_resolution);
+      CHECK(distance(lines[0].path.pieces.front().end, to) < file_resolution);
+    }
     const auto dots = probe::named<Fill>(page, "v");
     REQUIRE(dots.size() == 1);
     for (const Point p : probe::samples(dots[0].path, 0.05))

@@ -330,3 +330,25 @@ TEST_CASE("slider-crank polodes: nothing covers the curves, each piece and each 
           return label.text == "1" && std::hypot(label.at.x - pole->at.x, label.at.y - pole->at.y) < 0.5;
         }) == 1);
 }
+
+TEST_CASE("slider-crank: accelerations in one line stand in rows of their own, each joined to its point",
+          "[slider-crank][sheets]") {
+  const DrawnSheet drawn = draw(of_acceleration, "poles", {"phi=0"});
+  std::vector<drawings::Arrow> in_line;
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* arrow = std::get_if<drawings::Arrow>(&mark);
+        arrow && (arrow->name == "a_A" || arrow->name == "a_B" || arrow->name == "a_M"))
+      in_line.push_back(*arrow);
+  REQUIRE(in_line.size() == 3);
+  for (const drawings::Arrow& one : in_line)
+    for (const drawings::Arrow& other : in_line)
+      if (&one != &other) CHECK(std::abs(one.from.y - other.from.y) > 1.5);
+}
+
+TEST_CASE("slider-crank: vectors between points of a polygon that are one tell that they are zero",
+          "[slider-crank][sheets]") {
+  const std::vector<drawings::Label> labels = draw(of_velocity, "polar-diagram", {"phi=90"}).sheet.figure.labels;
+  for (const char* letters : {"$v_{BA}$ = 0 m/s", "$v_{CA}$ = 0 m/s"})
+    CHECK(std::any_of(labels.begin(), labels.end(),
+                      [&](const drawings::Label& label) { return label.text == letters; }));
+}

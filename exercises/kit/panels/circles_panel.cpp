@@ -56,8 +56,7 @@ CirclesPanel::Builder CirclesPanel::builder(const Solution& s, const Known& know
   return X;
 }
 
-bool CirclesPanel::needs_detail() const {
-  constexpr double too_large = 2.5;  // reaches of the mechanism
+bool CirclesPanel::needs_detail(double too_large) const {
   return J_ && S_prime_ && inflection_.centre && 2 * inflection_.radius > too_large * mechanism_->reach() &&
          2 * stationarity_.radius < too_large * mechanism_->reach();
 }
@@ -189,10 +188,23 @@ std::string CirclesPanel::left_out(const Plot& plot, const drawings::Box& room, 
   return off.sentence(language);
 }
 
+// Beside its detail, which names all of it, it is small: only the points from which the construction starts are
+// named.
+void CirclesPanel::sketch_mechanism(Plot& plot) const {
+  std::vector<drawings::Label>& labels = plot.onto().sheet.figure.labels;
+  const auto before = static_cast<std::ptrdiff_t>(labels.size());
+  mechanism_->sketch(plot);
+  if (shows_ != Shows::inflection_circle) return;
+  const auto is_of_detail = [&](const drawings::Label& label) {
+    return label.text != "$" + driven_.letters + "$" && label.text != "$" + other_.letters + "$";
+  };
+  labels.erase(std::remove_if(labels.begin() + before, labels.end(), is_of_detail), labels.end());
+}
+
 std::vector<drawings::Block> CirclesPanel::draw(Plot& plot, const drawings::Box& room, Language language) const {
   draw_inflection_circle(plot, room, language);
   if (shows_ != Shows::inflection_circle) draw_stationarity_circle(plot, room, language);
-  mechanism_->sketch(plot);
+  sketch_mechanism(plot);
   draw_poles(plot);
   const std::string off = left_out(plot, room, language);
   if (off.empty()) return {};

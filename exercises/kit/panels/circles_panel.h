@@ -26,8 +26,8 @@ class CirclesPanel : public CutPanel {
   // "_along", of the points "Aprime", of the driven one "Adoubleprime" (see coupler_routes.h).
   CirclesPanel(const Solution& solution, std::shared_ptr<const MechanismFigure> mechanism, const Case& of);
 
-  // The inflection circle is so much larger than the mechanism that this needs a picture of its own.
-  bool needs_detail() const;
+  // The inflection circle is so many times larger than the mechanism that this needs a picture of its own.
+  bool needs_detail(double too_large = 2.5) const;
   // The picture of the mechanism, the stationarity circle and K beside that of the whole inflection circle, each with
   // its own steps.
   CirclesPanel& detail();
@@ -66,6 +66,7 @@ class CirclesPanel : public CutPanel {
   void draw_stationarity_circle(Plot& plot, const drawings::Box& room, Language language) const;
   void name_circle(Plot& plot, const drawings::Box& room, const DrawnCycle& circle, const Words& name,
                    Language language) const;
+  void sketch_mechanism(Plot& plot) const;
   void draw_poles(Plot& plot) const;
   std::string left_out(const Plot& plot, const drawings::Box& room, Language language) const;
 

@@ -13,12 +13,24 @@ constexpr double plan_air = 8;  // mm, for letters
 
 }  // namespace
 
-Panel::Vectors ForcePlanPanel::vectors() const {
+double ForcePlanPanel::longest() const {
   double longest = 0;
   for (const Place& P : figure_->plan)
     for (const Place& Q : figure_->plan) longest = std::max(longest, distance(P, Q));
-  constexpr double longest_on_paper = 100;  // mm: longer the truss beside it would have no room
-  return {"N", longest, longest_on_paper};
+  return longest;
+}
+
+bool ForcePlanPanel::is_slender() const {
+  constexpr double slender = 0.25;
+  Extent all;
+  for (const Place& P : figure_->plan) all.include(P.x, P.y);  // N
+  return std::min(all.box().width(), all.box().height()) < slender * longest();
+}
+
+Panel::Vectors ForcePlanPanel::vectors() const {
+  // mm: longer the truss beside it would have no room; a slender plan stands above or below it.
+  constexpr double longest_on_paper = 100, longest_if_slender = 110;
+  return {"N", longest(), is_slender() ? longest_if_slender : longest_on_paper};
 }
 
 drawings::Box ForcePlanPanel::extent(const Scale&, const Scale& vectors) const {
@@ -27,8 +39,9 @@ drawings::Box ForcePlanPanel::extent(const Scale&, const Scale& vectors) const {
   return extent.box();
 }
 
+// The loads in their row have room; but not across a slender plan.
 std::vector<Place> ForcePlanPanel::lettered() const {
-  const auto without = static_cast<std::ptrdiff_t>(figure_->bow.forces.size());
+  const auto without = static_cast<std::ptrdiff_t>(is_slender() ? 0 : figure_->bow.forces.size());
   return {figure_->plan.begin() + without, figure_->plan.end()};
 }
 

@@ -22,6 +22,9 @@ class ForcePlanPanel : public Panel {
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
 
  private:
+  double longest() const;  // N, from point to point
+  bool is_slender() const;
+
   std::shared_ptr<const TrussFigure> figure_;
 };
 

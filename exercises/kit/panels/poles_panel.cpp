@@ -10,6 +10,7 @@
 #include "exercises/kit/panels/edge.h"
 #include "exercises/kit/panels/results.h"
 #include "exercises/kit/panels/short_vectors.h"
+#include "exercises/kit/panels/tracks.h"
 
 namespace epure {
 namespace {
@@ -25,6 +26,36 @@ Place middle_of(const std::vector<Place>& places) {
   for (const Place& P : places) sum = {sum.x + P.x, sum.y + P.y};
   const auto count = static_cast<double>(places.size());
   return {sum.x / count, sum.y / count};
+}
+
+// The side of a line on which the supports of hinges do not stand: a unit vector across it.
+drawings::Point free_side(const std::vector<drawings::Mark>& marks, drawings::Point along) {
+  const drawings::Point left = drawings::left_of(along);
+  double supported = 0;
+  for (const drawings::Mark& mark : marks)
+    if (const auto* fixed = std::get_if<drawings::FixedHinge>(&mark))
+      supported += dot(drawings::direction(fixed->down), left);
+  return supported > 0 ? -1 * left : left;
+}
+
+// How far aside vectors stand that would lie on one another, as at a dead centre: each in a row of its own, clear of
+// the links and hinges on their line. (mm)
+std::vector<drawings::Point> in_rows(const std::vector<VectorOnPaper>& vectors,
+                                     const std::vector<drawings::Mark>& marks) {
+  constexpr double first_row = 2.4, between_rows = 1.8, shortest = 3;  // mm: shorter ones cover none
+  const auto is_long = [](const VectorOnPaper& v) { return drawings::distance(v.first, v.second) >= shortest; };
+  std::vector<drawings::Point> aside(vectors.size());
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    std::vector<std::size_t> together;  // in the order in which they are drawn
+    for (std::size_t j = 0; j < vectors.size(); ++j)
+      if (j == i || (is_long(vectors[i]) && is_long(vectors[j]) && covered(vectors[i], vectors[j])))
+        together.push_back(j);
+    if (together.size() == 1) continue;
+    const auto before = std::find(together.begin(), together.end(), i) - together.begin();
+    const auto& [from, to] = vectors[together.front()];
+    aside[i] = (first_row + static_cast<double>(before) * between_rows) * free_side(marks, drawings::unit(from, to));
+  }
+  return aside;
 }
 
 }  // namespace
@@ -223,10 +254,16 @@ std::vector<drawings::Block> PolesPanel::draw(Plot& plot, const drawings::Box& r
     draw_pole(plot);
     draw_turning(plot);
   }
-  for (const Carried& X : points_) {
-    const double mm = drawings::distance(plot.at(X.at), plot.at(plot.tip(X.at, X.v)));
+  std::vector<VectorOnPaper> vectors;
+  for (const Carried& X : points_) vectors.emplace_back(plot.at(X.at), plot.at(plot.tip(X.at, X.v)));
+  const std::vector<drawings::Point> aside = in_rows(vectors, plot.onto().sheet.figure.marks);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Carried& X = points_[i];
+    const double mm = drawings::distance(vectors[i].first, vectors[i].second);
+    const Place from = plot.from_paper(vectors[i].first + aside[i]);
+    if (drawings::length(aside[i]) > 0) plot.segment(X.at, from, Meaning::dimension);
     plot.vector_on(
-        X.quantity.name, X.at, X.v, is_of_velocity() ? Meaning::velocity : Meaning::acceleration,
+        X.quantity.name, from, X.v, is_of_velocity() ? Meaning::velocity : Meaning::acceleration,
         letters_or_value(X.quantity.arrow(), magnitude(X.v), mm, written_unit(X.quantity.unit, language), language));
     if (contains(reported_points_, X.name)) plot.measures_coordinates(kind_.prefix + X.name, X.at, origin_);
   }

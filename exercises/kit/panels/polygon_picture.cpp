@@ -232,7 +232,7 @@ Place away_from(const Drawing& on, const PlacedSide& s, bool of_left_side) {
 
 // What is shorter than its head is a dot, and tells its value.
 std::string letters_of(const Drawing& on, const PolygonSide& side) {
-  if (!side.length) return side.label;
+  if (!side.length || side.label.empty()) return side.label;
   return letters_or_value(side.label, std::abs(*side.length), magnitude(side.v) * on.plot.scale().mm_per_unit,
                           on.polygon.unit, on.language);
 }
@@ -332,12 +332,12 @@ void draw_image(const Drawing& on, const PolygonImage& image, const Track& relat
   if (image.closes_triangle) {
     on.plot.segment(a, c, Meaning::construction);
   } else if (image.draws_relative()) {
-    draw_on_track(on, relative, {a, c}, image.relative.quantity, image.relative.label, on.middle);
+    draw_on_track(on, relative, {a, c}, image.relative.quantity, letters_of(on, image.relative), on.middle);
   } else if (!image.relative.quantity.empty()) {
     on.plot.measures(image.relative.quantity, a, c);
   }
   if (image.draws_absolute())
-    draw_on_track(on, absolute, {O, c}, image.absolute.quantity, image.absolute.label, on.middle);
+    draw_on_track(on, absolute, {O, c}, image.absolute.quantity, letters_of(on, image.absolute), on.middle);
   if (image.absolute.tip.empty()) return;
   on.plot.dot(c, on.polygon.meaning);
   const std::string letters =

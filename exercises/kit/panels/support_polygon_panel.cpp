@@ -47,6 +47,9 @@ bool SupportPolygonPanel::covers(std::size_t reaction, const std::vector<std::pa
                        : lies_on_a_side(between, corners.front(), sides);
 }
 
+// The ends of the loads: with large reactions they crowd.
+std::vector<Place> SupportPolygonPanel::lettered() const { return funicular_.polygon.corners; }
+
 drawings::Box SupportPolygonPanel::extent(const Scale&, const Scale& vectors) const {
   constexpr double air = 8;  // mm
   Extent extent;

@@ -17,6 +17,7 @@ class SupportPolygonPanel : public Panel {
   bool is_of_vectors() const override { return true; }
   Vectors vectors() const override;
   drawings::Box extent(const Scale&, const Scale& vectors) const override;
+  std::vector<Place> lettered() const override;
   std::vector<drawings::Block> draw(Plot& plot, const drawings::Box&, Language) const override;
   std::vector<PanelStep> steps(const Plot&, const drawings::Box&) const override;
 

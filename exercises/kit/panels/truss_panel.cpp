@@ -139,11 +139,14 @@ std::vector<Place> TrussPanel::corners_of(std::size_t step) const {
   return corners;
 }
 
-// Where regions are small the weight of the bars alone tells what is pressed.
-bool TrussPanel::has_room_for_signs(const Scale& scale) const {
+// Where regions beside a bar are small its weight alone tells what is pressed.
+bool TrussPanel::has_room_for_sign(std::size_t bar, const Scale& scale) const {
   if (regions_ != Regions::lettered) return true;
+  const auto& [left, right] = figure_->bow.sides[bar];
   for (std::size_t k = 0; k < figure_->bow.steps.size(); ++k)
-    if (inscribed(corners_of(k)).radius * scale.mm_per_unit < small_region) return false;
+    if (const std::size_t region = figure_->bow.steps[k].region;
+        (region == left || region == right) && inscribed(corners_of(k)).radius * scale.mm_per_unit < small_region)
+      return false;
   return true;
 }
 
@@ -187,7 +190,6 @@ void TrussPanel::letter_regions(Plot& plot) const {
 
 void TrussPanel::draw_truss(Plot& plot, bool is_solved) const {
   constexpr double number_size = 2.5;  // mm
-  const bool has_signs = is_solved && has_room_for_signs(plot.scale());
   plot.in_step(from_beginning);
   draw_supports(plot);
   for (std::size_t i = 0; i < figure_->bars.size(); ++i) {
@@ -204,8 +206,9 @@ void TrussPanel::draw_truss(Plot& plot, bool is_solved) const {
     plot.segment(P, Q, weight, "bar_" + std::to_string(i + 1));
     if (funicular_) continue;               // the numbers there are the strings'
     plot.in_step(figure_->step_of_bar(i));  // with its number, what the plan says of it
+    const bool has_sign = is_solved && has_room_for_sign(i, plot.scale());
     plot.onto().sheet.figure.labels.push_back(
-        {.text = std::to_string(i + 1) + (has_signs ? TrussFigure::sign(bar.force) : ""),
+        {.text = std::to_string(i + 1) + (has_sign ? TrussFigure::sign(bar.force) : ""),
          .at = plot.at(P),
          .to = plot.at(Q),
          .size = number_size});
@@ -279,10 +282,13 @@ std::vector<drawings::Block> TrussPanel::draw(Plot& plot, const drawings::Box&, 
     if (funicular_) plot.in_step(k < 2 ? closed : from_beginning);
     draw_force(plot, k);
   }
-  if (has_room_for_signs(plot.scale())) return {};
-  return {drawings::Paragraph{Words{"Beside the bars there is no room for + and −: they stand on the next sheet.",
-                                    "Accanto alle aste non c'è posto per + e −: sono nella tavola che segue."}
-                                  .in(language)}};
+  std::size_t signed_bars = 0;
+  for (std::size_t i = 0; i < figure_->bars.size(); ++i) signed_bars += has_room_for_sign(i, plot.scale()) ? 1 : 0;
+  if (signed_bars == figure_->bars.size()) return {};
+  const Words of_some{"Beside some bars", "Accanto ad alcune aste"}, of_all{"Beside the bars", "Accanto alle aste"};
+  const Words no_room{" there is no room for + and −: they stand on the next sheet.",
+                      " non c'è posto per + e −: sono nella tavola che segue."};
+  return {drawings::Paragraph{((signed_bars > 0 ? of_some : of_all) + no_room).in(language)}};
 }
 
 }  // namespace epure

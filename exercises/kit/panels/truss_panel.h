@@ -47,7 +47,7 @@ class TrussPanel : public Panel {
   void draw_supports(Plot& plot) const;
   void letter_regions(Plot& plot) const;
   std::vector<Place> corners_of(std::size_t step) const;  // of the region that it letters
-  bool has_room_for_signs(const Scale& scale) const;
+  bool has_room_for_sign(std::size_t bar, const Scale& scale) const;
   void draw_strings(Plot& plot) const;
 
   std::shared_ptr<const TrussFigure> figure_;

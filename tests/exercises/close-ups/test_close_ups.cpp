@@ -227,6 +227,44 @@ TEST_CASE("of two series of positions each number stands once on the picture, an
   CHECK(ratios(polodes).front() == 0.2);
 }
 
+TEST_CASE("the mechanism is whole beside its polodes, also where the curves lead elsewhere") {
+  const drawings::Figure figure =
+      Tried("slider-crank-velocity").draw("polodes", {"e=0.15", "delta=60", "phi=250"}).sheet.figure;
+  int hinges = 0;
+  for (std::size_t i = 0; i < figure.marks.size(); ++i)
+    if (const auto* hinge = std::get_if<drawings::Hinge>(&figure.marks[i])) {
+      ++hinges;
+      CHECK(drawings::contains(figure.windows.at(static_cast<std::size_t>(figure.window_of.at(i))), hinge->at));
+    }
+  CHECK(hinges == 2);  // in one picture, as points of both curves that all but touch are no crowd
+  // As many of them as have room at 1 : 5, where the curves' points stand closest.
+  CHECK(ratios(Tried("slider-crank-velocity").draw("polodes", {"l=0.22", "phi=95"})) == std::vector<double>{0.2});
+}
+
+TEST_CASE("beside a far larger inflection circle the slider-crank has a picture of its own") {
+  const Tried slider_crank("slider-crank-acceleration");
+  CHECK(ratios(slider_crank.draw("circles", {})).size() == 1);
+  const DrawnSheet drawn = slider_crank.draw("circles", {"e=-0.15", "delta=-120", "phi=300", "alpha_2=-900"});
+  CHECK(ratios(drawn) == std::vector<double>{0.01, 0.1});
+  stand_apart(drawn.sheet.figure, {"$A_{0}$", "$M$", "$C$", "$K$", "$S$", "$S'$", "$A''$"}, 6);
+}
+
+TEST_CASE(
+    "loads that are small beside the reactions of a truss are parted by a close-up, and its plan is as large as "
+    "it may be") {
+  const Assignments slender{"shape=bracket", "n=8", "h=1", "W=500", "beta=180"};
+  const auto forces = [](const DrawnSheet& drawn) {
+    std::vector<std::string> scales = drawn.sheet.title_block.scales;
+    std::erase_if(scales, [](const std::string& scale) { return !scale.starts_with("1 cm"); });
+    return scales;
+  };
+  CHECK(forces(Tried("truss").draw("reactions", slender)).size() == 2);
+  const DrawnSheet plan = Tried("truss").draw("plan", slender);
+  CHECK_THAT(forces(plan).at(0), Contains("5000 N"));
+  CHECK(forces(plan).size() == 2);
+  stand_apart(plan.sheet.figure, {"$l$", "$m$", "$n$"}, 5);
+}
+
 TEST_CASE("asymptotes that are on the sheet have their step there") {
   const DrawnSheet drawn =
       Tried("slider-crank-velocity").draw("polodes", {"phi=1", "e=0.05", "delta=-30", "l=2", "BC=1.9"});

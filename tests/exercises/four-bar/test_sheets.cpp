@@ -96,6 +96,15 @@ TEST_CASE("four-bar: two angles at one hinge have each an arc of its own", "[fou
   CHECK(std::abs(arcs[0].radius - arcs[1].radius) > 2);
 }
 
+TEST_CASE("four-bar: no leg of an angle hides the dashes of a link in another position", "[four-bar][sheets]") {
+  const DrawnSheet drawn = four_bar().draw("dead-centres", {});
+  const drawings::Point B0 = four_bar_label(drawn, "$B_{0}$");
+  for (const drawings::Mark& mark : drawn.sheet.figure.marks)
+    if (const auto* line = std::get_if<drawings::Line>(&mark);
+        line && line->meaning == drawings::Meaning::construction)
+      CHECK(drawings::distance(line->path.start, B0) > 0.01);
+}
+
 TEST_CASE("four-bar: supports stand behind the links", "[four-bar][sheets]") {
   const drawings::Figure figure = four_bar().draw("dead-centre-folded", {}).sheet.figure;
   std::size_t last_support = 0, first_link = figure.marks.size();

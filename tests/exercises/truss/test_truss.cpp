@@ -136,4 +136,8 @@ TEST_CASE("bars of small regions have numbers without signs, which the column sa
   CHECK(is_written(truss().draw("forces", small), "11 +"));
   CHECK_THAT(told_on(truss(), "plan", small), Contains("no room for + and −"));
   CHECK_THAT(told_on(truss(), "plan", {}), !Contains("no room for"));
+  const Assignments in_part{"shape=polonceau", "W=800", "beta=-30", "delta=25"};  // beside its two struts
+  CHECK(is_written(truss().draw("plan", in_part), "8 +"));
+  CHECK(is_written(truss().draw("plan", in_part), "6"));
+  CHECK_THAT(told_on(truss(), "plan", in_part), Contains("Beside some bars there is no room for + and −"));
 }

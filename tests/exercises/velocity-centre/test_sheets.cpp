@@ -47,6 +47,10 @@ TEST_CASE("velocity centre: a ruler on the file reads the value of every vector"
   }
 }
 
+TEST_CASE("velocity centre: it is on its sheet also where it is far", "[velocity-centre][sheets]") {
+  CHECK(has_label(bar().draw("velocities", {"phi=190", "omega=-0.3", "V=-4"}), "$P_{0}$"));
+}
+
 TEST_CASE("velocity centre: the polygons close", "[velocity-centre][sheets]") {
   for (const Assignments& assignments : usual) {
     polygon_closes(bar(), {"velocities", {"v_O", "v_AO", "v_A"}}, assignments);
