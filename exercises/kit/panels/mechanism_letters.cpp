@@ -115,7 +115,7 @@ void Mechanism::draw_angle(Plot& plot, const Angle& angle) const {
   for (const Axis& axis : axes_)
     for (const Place& end : {axis.from, axis.to})
       if (is_on_line(O, axis.from, axis.to) && distance(O, end) > 0) lines.push_back(direction(O, end));
-  for (const auto& [from, to] : others)  // dashed
+  for (const auto& [from, to] : edges(other_positions_))  // dashed
     for (const auto& [here, there] : {std::pair{from, to}, std::pair{to, from}})
       if (distance(O, here) == 0) lines.push_back(direction(here, there));
   for (const double side : {angle.from, angle.to})

@@ -148,7 +148,7 @@ class LoadsReader : SectionReader {
   }
   // "∥ $y$", "∠ −100°".
   std::string direction_of_load(const Tree& item, const LinkForce& load) const {
-    const Tree &force = *item.find("force"), *direction = item.find("direction");
+    const Tree* direction = item.find("direction");
     if (!direction) {
       if (load.components.x == 0 || load.components.y == 0) return load.components.y == 0 ? "∥ $x$" : "∥ $y$";
       return as_printed("∥ (" + told_value(load.components.x).english + " N; " +
