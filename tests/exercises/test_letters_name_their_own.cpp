@@ -172,8 +172,8 @@ TEST_CASE("letters stand nearest to what they name, or have a leader") {
   CHECK(seen > 15000);
   // Where marks are too dense for a leader as well: of 464 that there were in English while a label's place did not
   // count what else it could be taken to name. (Of 2 and 15 they became 4 and 24 when givens, numbers of divisions
-  // and names of positions were lettered that no sheet had told.)
+  // and names of positions were lettered that no sheet had told; 25 when levers with friction stood on their frame.)
   CAPTURE(as_stated, at_changed_givens);
   CHECK(as_stated.size() <= 4);
-  CHECK(at_changed_givens.size() <= 24);
+  CHECK(at_changed_givens.size() <= 25);
 }

@@ -333,7 +333,7 @@ TEST_CASE("A sheet of forces to be solved shows the load, and of the effort the 
                                                                    {"friction-efficiency", "wedge", 2, 2},
                                                                    {"friction-efficiency", "two-forces", 1, 1},
                                                                    {"friction-efficiency", "double-slider", 2, 2},
-                                                                   {"friction-efficiency", "levers", 1, 1}}) {
+                                                                   {"friction-efficiency", "levers", 2, 2}}) {
     INFO(id << "/" << sheet);
     const DrawnSheet blank = blank_sheet_of(id, sheet);
     CHECK(forces(blank) == loads);

@@ -91,11 +91,12 @@ void Mechanism::draw_angle(Plot& plot, const Angle& angle) const {
   for (const auto& leg : edges(other_positions_)) legs.push_back(leg);
   for (const Axis& axis : axes_) legs.emplace_back(axis.from, axis.to);
   const auto usual = [&](const Angle& each) {
-    constexpr double share = 0.6, least = 5, short_leg = 8, beyond = 6;  // of the leg, mm
+    constexpr double share = 0.6, least = 5, short_leg = 8, joint = 6;  // of the leg, mm
     const double leg =
         plot.scale().mm_per_unit * std::min(shortest_leg(legs, O, each.from), shortest_leg(legs, O, each.to));
-    // Of a short one beyond its end: the joint there would hide the arc.
-    return std::min(radius_of(each), leg < short_leg ? leg + beyond : std::max(share * leg, least));
+    // The joint at the end of a short leg would hide a short arc: that stands beyond it.
+    const bool is_hidden = leg < short_leg && std::abs(each.to - each.from) * least < joint;
+    return std::min(radius_of(each), is_hidden ? leg + joint : std::max(share * leg, least));
   };
   std::vector<double> circles;
   for (const Path& path : paths_)
