@@ -226,7 +226,9 @@ class Writer {
     change_ink("");
     std::string all = head();
     if (!definitions_.empty()) ((all += "<defs>\n") += definitions_) += "</defs>\n";
-    all += "<g stroke-linejoin=\"round\" font-family=\"'STIX Two Text',serif\" font-size=\"1000\">\n";
+    all += "<g stroke-linejoin=\"round\" stroke-width=\"";
+    add_whole(all, usual_width());
+    all += "\" font-family=\"'STIX Two Text',serif\" font-size=\"1000\">\n";
     if (page_.is_paper) all += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
     return (all += body_) += "</g>\n</svg>\n";
   }
@@ -277,7 +279,7 @@ class Writer {
 
   // Unseen, from `at` on.
   void add_words(const std::string& words, Step at, long length) {
-    body_ += "<text fill-opacity=\"0\"";
+    body_ += "<text opacity=\"0\"";
     add_coordinate(body_, 'x', at.x);
     add_coordinate(body_, 'y', at.y);
     // Another font sets a letter or two nearly as wide; of longer words what is marked would drift off the letters.
@@ -560,14 +562,22 @@ class Writer {
     add_attribute(body_, "aria-label", escaped_for_attribute(words));
   }
 
+  // Of most lines: said once.
+  static long usual_width() {
+    constexpr double mm = 0.18;
+    return std::lround(mm * steps_per_mm);
+  }
+
   static void add_stroke(std::string& to, const Stroke& stroke) {
     to += " stroke=\"";
     add_colour(to, stroke.colour);
     to += '"';
     add_opacity(to, "stroke-opacity", stroke.colour);
-    to += " stroke-width=\"";
-    add_whole(to, std::lround(stroke.width * steps_per_mm));
-    to += '"';
+    if (const long width = std::lround(stroke.width * steps_per_mm); width != usual_width()) {
+      to += " stroke-width=\"";
+      add_whole(to, width);
+      to += '"';
+    }
     if (stroke.dashes.empty()) return;
     to += " stroke-dasharray=\"";
     for (const double dash : stroke.dashes) {

@@ -122,9 +122,9 @@ bool Namesakes::is_on(const Arc& arc, Point at) {
   return there - turn * std::floor(there / turn) <= arc.to - arc.from;
 }
 
-void Namesakes::add_arcs(Naming& naming, Point at, double reach) const {
+bool Namesakes::add_arcs(Naming& naming, Point at, double reach) const {
   const auto own = std::find_if(arcs_.begin(), arcs_.end(), [&](const Arc& arc) { return is_on(arc, at); });
-  if (own == arcs_.end()) return;
+  if (own == arcs_.end()) return false;
   add_passing(naming, lines_, Meaning::link, at, reach);
   constexpr double chord = 0.1;  // radians
   const Box around = grown(Box{at, at}, reach);
@@ -146,6 +146,7 @@ void Namesakes::add_arcs(Naming& naming, Point at, double reach) const {
       }
     }
   }
+  return true;
 }
 
 void Namesakes::add_passing(Naming& naming, const Kind& kind, std::optional<Meaning> of, Point at, double reach) {
@@ -170,15 +171,17 @@ Naming Namesakes::of(const Label& label, double width) const {
   if (label.to) {
     if (!is_among(vectors_)) is_among(lines_);
   } else {
-    const bool is_point = on_one(points_, at, at) != nullptr;
-    if (is_point || !is_among(lines_)) {
-      if (!is_point) add_arcs(naming, at, reach);
+    const bool is_point = on_one(points_, at, at) != nullptr, is_line = !is_point && is_among(lines_);
+    const bool is_arc = !is_point && !is_line && add_arcs(naming, at, reach);
+    if (!is_line) {
       const Shown point{{at, at}, {at, at}, Meaning::text};
       add_others(naming, points_, label, point, reach);
       add_others(naming, labelled_points_, label, point, reach);
     }
-    add_passing(naming, vectors_, {}, at, reach);
-    add_passing(naming, lines_, Meaning::axis, at, reach);
+    if (is_point || is_line || is_arc) {  // and no caption
+      add_passing(naming, vectors_, {}, at, reach);
+      add_passing(naming, lines_, Meaning::axis, at, reach);
+    }
   }
   return naming;
 }

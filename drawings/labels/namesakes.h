@@ -41,8 +41,8 @@ class Namesakes {
     double radius, from, to;
   };
   static bool is_on(const Arc& arc, Point at);
-  // What letters at a point of an arc name, and the other arcs near it.
-  void add_arcs(Naming& naming, Point at, double reach) const;
+  // What letters at a point of an arc name, and the other arcs near it. Whether there is one.
+  bool add_arcs(Naming& naming, Point at, double reach) const;
 
   Kind vectors_, lines_, points_, labelled_points_;
   std::vector<Arc> arcs_;

@@ -15,12 +15,16 @@ namespace {
 
 // CLI11 reads the options. What it would say of them depends on its version and is English: the help and the
 // refusals are our own.
-// "r=25cm" of "r = 25cm".
-std::string without_blanks_about_equals(std::string text) {
-  std::size_t equals = text.find('=');
-  if (equals == std::string::npos) return text;
-  for (; equals > 0 && text[equals - 1] == ' '; --equals) text.erase(equals - 1, 1);
-  while (equals + 1 < text.size() && text[equals + 1] == ' ') text.erase(equals + 1, 1);
+// "r=25cm" of "r = 25cm ", "phi=0..360/3" of "phi = 0 .. 360 / 3".
+std::string without_blanks_about(const std::vector<std::string>& signs, std::string text) {
+  text.erase(text.find_last_not_of(' ') + 1);
+  text.erase(0, std::min(text.find_first_not_of(' '), text.size()));
+  for (const std::string& sign : signs)
+    for (auto at = text.find(sign); at != std::string::npos; at = text.find(sign, at + sign.size())) {
+      for (; at > 0 && text[at - 1] == ' '; --at) text.erase(at - 1, 1);
+      const std::size_t after = at + sign.size();
+      while (after < text.size() && text[after] == ' ') text.erase(after, 1);
+    }
   return text;
 }
 
@@ -89,8 +93,11 @@ class Parser {
   // One that may be repeated and takes one value each time, so that what follows the value is a name again.
   void add_repeatable(CLI::App& verb, const std::string& name, std::vector<std::string>& values, const Words& type,
                       const Words& meaning) {
+    const std::vector<std::string> signs = &values == &options_.variations
+                                               ? std::vector<std::string>{"=", "..", "|", "/"}
+                                               : std::vector<std::string>{"="};
     verb.add_option(name, values, say(meaning))
-        ->transform(without_blanks_about_equals)
+        ->transform([signs](const std::string& typed) { return without_blanks_about(signs, typed); })
         ->allow_extra_args(false)
         ->type_name(say(type));
   }

@@ -522,7 +522,7 @@ TEST_CASE("unseen letters lie over the outlines of the SVG") {
   REQUIRE(found.size() == 1);
   const pugi::xml_node words = found.first().node();
   CHECK(words.text().get() == std::string("v_BA < & ⊥ BA"));
-  CHECK(words.attribute("fill-opacity").value() == std::string("0"));
+  CHECK(words.attribute("opacity").value() == std::string("0"));
   const Placement at = placement(words);
   CHECK(svg.mm() * at.x == Approx(30).margin(1e-3));
   CHECK(svg.mm() * at.y == Approx(110).margin(1e-3));

@@ -310,7 +310,7 @@ TEST_CASE("attacked: what a file says in place is told wherever its givens are")
       run_real({"class", "mine.yaml", "--count", "1", "--vary", "r=90..110/3", "--format", "moodle", "--out", "mo"})
           .exit == 0);
   REQUIRE(run_real({"report", "mine.yaml", "-o", "r.md"}).exit == 0);
-  for (const std::string& text : {bytes_of("mo/questions.xml"), bytes_of("r.md")})
+  for (const std::string& text : {bytes_of("mo/mine-class/questions.xml"), bytes_of("r.md")})
     for (const std::string told : {"93\u00a0rpm", "237\u00a0N"}) {
       CAPTURE(told);
       CHECK(text.find(told) != std::string::npos);

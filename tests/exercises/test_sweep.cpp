@@ -668,3 +668,16 @@ TEST_CASE("a chart over the wrong given says which to name first") {
         "epure: --chart would draw 37 curves over r, and a sheet bears 12; the axis is the first --over: name phi "
         "first, as it has 37 values\n");
 }
+
+// Attacked: "0 .. 360 / 5" did not say how many values, and "left " was no word.
+TEST_CASE("blanks about what parts an option's text are nothing") {
+  const auto swept = [](const std::string& over, const std::string& set = "b=0.4") {
+    const Ran ran = run({"sweep", "triangle", "--over", over, "--set", set, "--quantity", "c"});
+    CAPTURE(over, set, ran.err);
+    CHECK(ran.exit == 0);
+    return ran.out;
+  };
+  const std::string plain = swept("a=0.3..0.5/3");
+  CHECK(plain == swept(" a = 0.3 .. 0.5 / 3 ", "b = 0.4 "));
+  CHECK(swept("a=0.3|0.4|0.5") == swept("a = 0.3 | 0.4 |0.5"));
+}

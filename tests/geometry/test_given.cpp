@@ -197,7 +197,7 @@ TEST_CASE("Bad givens are refused: the text, what is wrong, what would be accept
       {"3mm^4", "mm^2", "a second moment of area where an area", "m^2, cm^2, mm^2"},
       {"3N/s", "N/s^2", "a force per time where a force per time squared", "N/s^2, kN/s^2"},
       {"3N", "N/s^3", "a force where a force per time cubed", "N/s^3, kN/s^3"},
-      {"3Nm", "J", "a couple or moment where an energy", "J, kJ"},
+      {"3Nm", "W", "a couple or moment where a power", "W, kW"},
       {"30deg", "rpm", "an angle where an angular velocity", "rpm"},
       {"30deg/s", "rad/s^2", "an angular velocity where an angular acceleration", "rad/s^2"},
   };

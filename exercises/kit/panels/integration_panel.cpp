@@ -292,12 +292,11 @@ void IntegrationPanel::draw_readings(Plot& plot, std::size_t row) const {
     // numbers.
     constexpr double short_one = 8, aside = 10;  // mm
     const bool is_last = read.at == along_.ends.back(), is_short = std::abs(tip.y - foot.y) < short_one;
-    const bool is_at_tip = is_last || (is_short && tip.y > foot.y);
-    const Place away = is_short ? Place{foot.x, foot.y - aside} : Place{foot.x - aside, foot.y};
-    plot.side("", foot, tip, rows_[row].meaning, is_at_tip ? "" : read.label, away);
+    plot.side("", foot, tip, rows_[row].meaning, is_last || is_short ? "" : read.label,
+              Place{foot.x - aside, foot.y});
+    const bool is_upwards = tip.y > foot.y;
     if (is_short && !is_last)
-      plot.segment(foot, tip, rows_[row].meaning);  // an arrow too short for its head is a dot
-    if (is_at_tip && !is_last) plot.label(read.label, tip, foot, rows_[row].meaning);
+      plot.label(read.label, is_upwards ? tip : foot, is_upwards ? foot : tip, rows_[row].meaning);
     if (is_last) plot.label(read.label, tip, Place{tip.x - aside, 2 * foot.y - tip.y}, rows_[row].meaning);
     if (!read.quantity.empty() && plot.shows(foot) && plot.shows(tip))
       plot.onto().measurements.push_back(
