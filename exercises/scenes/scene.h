@@ -63,7 +63,7 @@ struct Built {
   std::vector<FrictionName> hinge_friction_names = {};        // as those of hinges
   std::vector<Words> pressure_angles = {};  // of the linkage's gears: "20°", or the given's letters
   std::string gravity = {};                 // its letters; empty: nothing weighs
-  std::vector<Words> in_place = {};         // numbers that are no givens: "$m_{3}$ = 1.2 kg", "speed of link 2 = 60 rpm"
+  std::vector<Words> in_place = {};  // numbers that are no givens: "$m_{3}$ = 1.2 kg", "speed of link 2 = 60 rpm"
 };
 
 // The link's point at this place of its own axes; none: `nothing`.
