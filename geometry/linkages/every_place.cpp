@@ -26,6 +26,16 @@ ProjectivePoint<X> carried(const ProjectivePoint<X>& P, const PlacedLink<X>& fro
   return {turned.x + P.w * X(Bounded(to.O.x)), turned.y + P.w * X(Bounded(to.O.y)), P.w};
 }
 
+// Of a slid point that is so many sizes of the linkage from where it is now: a wheel that rolls along has turned as
+// often as it likes, and its moving polode, which stays about it, would be traced without end.
+template <class X>
+bool is_far(const Linkage& linkage, const Vector<X>& direction) {
+  constexpr int sizes = 4;
+  if (!std::holds_alternative<SlidPoint>(linkage.drives.front())) return false;
+  const X t = quotient(direction.y, X(1) + direction.x);
+  return sign(t * t - X(sizes * sizes)) == Sign::positive;
+}
+
 template <class X>
 std::function<ProjectivePoint<X>(const Vector<X>&)> polode_over(const EveryPlace& places, const Linkage& linkage,
                                                                 const std::vector<Step>& steps,
@@ -33,6 +43,7 @@ std::function<ProjectivePoint<X>(const Vector<X>&)> polode_over(const EveryPlace
                                                                 const std::optional<PlacedLink<double>>& drawn) {
   const auto carried_out = std::make_shared<const CarriedOut<X>>(linkage, steps);
   return [carried_out, &places, &linkage, plan = plan.leading_to(0, link), link, drawn](const Vector<X>& direction) {
+    if (drawn && is_far(linkage, direction)) return ProjectivePoint<X>{X(1), X(0), X(0)};
     const LinkagePosition<X> at = carried_out->position(places.drive(direction));
     const ProjectivePoint<X> P = Centres<X>(plan, linkage, at).of(0, link);
     return drawn ? carried(P, at.links[static_cast<std::size_t>(link)], *drawn) : P;

@@ -40,8 +40,8 @@ class EveryPlace {
   Trace path(int point, const Frame& frame, double tolerance) const;
 
   // The path of a link's instant centre on the frame, which the plan must have: in the plane (the fixed polode); or
-  // carried with the link onto where it is `drawn` (the moving one). Where the plan's lines lie in each other there
-  // is a gap.
+  // carried with the link onto where it is `drawn` (the moving one, of a slid point within four sizes of the linkage
+  // from where it is). Where the plan's lines lie in each other there is a gap.
   Trace polode(const CentrePlan& plan, int link, const std::optional<PlacedLink<double>>& drawn, const Frame& frame,
                double tolerance) const;
 

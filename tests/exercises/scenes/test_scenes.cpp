@@ -607,6 +607,33 @@ TEST_CASE("the polodes of a trammel are Cardan's circles", "[scenes]") {
   for (const double each : moving) CHECK(std::abs(each - 0.5) < pen);
 }
 
+// Attacked: the rim of a wheel that rolls along was traced for as many turns as it makes on the way to infinity.
+TEST_CASE("the moving polode of a wheel on a floor is its rim, traced for no more turns than its way is shown",
+          "[scenes]") {
+  const double radius = 0.002;  // m
+  const std::string wheel =
+      "epure: 1\nid: f\nlinks:\n  1: {O: [0, 0], g: {through: [0, 2 mm], along: [1, 0]}, f: {along: [1, 0]}}\n"
+      "  2: {C: [0, 0], P: [20 mm, 5 mm]}\nslides: {C: g}\nrolls: [{wheel: 2, centre: C, on: f, radius: 2 mm}]\n"
+      "drive: {slide: C, on: g, at: 300 mm, speed: 0.5 m/s}\npolodes: [2]\n";
+  const auto scene = std::make_shared<const scenes::Scene>("f", wheel);
+  const DrawnSheet drawn = scenes::scene_exercise(scene)->draw("polodes", Givens(scene->givens()), {});
+  double per_mm = 0;
+  for (const Measurement& each : drawn.measurements)
+    if (each.quantity == "P12_x") per_mm = each.per_mm;
+  std::size_t arcs = 0;
+  double low = INFINITY, high = -INFINITY;
+  for (const drawings::Line& each : all_of<drawings::Line>(drawn))
+    if (each.name == "moving_polode")
+      for (const auto& piece : each.path.pieces) {
+        ++arcs;
+        low = std::min(low, piece.end.y);
+        high = std::max(high, piece.end.y);
+      }
+  CHECK(arcs > 20);
+  CHECK(arcs < 1000);
+  CHECK(std::abs((high - low) * per_mm - 2 * radius) < 0.3 * per_mm);
+}
+
 TEST_CASE("polodes are those of a link that neither turns about the frame nor is led along it", "[scenes]") {
   CHECK(refusal(four_bar() + "polodes: [3]\n").empty());
   CHECK(refusal(four_bar() + "polodes: [2]\n") == "10:11: link 2 turns about A0: both of its polodes are that point");
