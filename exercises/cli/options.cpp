@@ -9,14 +9,15 @@
 #include "exercises/cli/version.h"
 #include "exercises/kit/statement/format_words.h"
 #include "exercises/kit/statement/suggest.h"
+#include "geometry/numbers/given.h"
 
 namespace epure {
 namespace {
 
-// CLI11 reads the options. What it would say of them depends on its version and is English: the help and the
-// refusals are our own.
 // "r=25cm" of "r = 25cm ", "phi=0..360/3" of "phi = 0 .. 360 / 3".
-std::string without_blanks_about(const std::vector<std::string>& signs, std::string text) {
+std::string without_blanks_about(const std::vector<std::string>& signs, const std::string& typed) {
+  std::string text = geometry::in_plain_characters(typed);
+  std::replace(text.begin(), text.end(), '\t', ' ');
   text.erase(text.find_last_not_of(' ') + 1);
   text.erase(0, std::min(text.find_first_not_of(' '), text.size()));
   for (const std::string& sign : signs)
@@ -28,6 +29,8 @@ std::string without_blanks_about(const std::vector<std::string>& signs, std::str
   return text;
 }
 
+// CLI11 reads the options. What it would say of them depends on its version and is English: the help and the
+// refusals are our own.
 class Parser {
  public:
   Parser(Options& options, Language language) : options_(options), language_(language) {

@@ -241,7 +241,7 @@ void Scene::demand_printed(const std::vector<Quantity>& quantities) const {
       file.refuse(unit, format_words("{} counts turns, and epure tells {} in {}: π lies between; write it in {}",
                                      "{} conta giri, ed epure dice {} in {}: c'è di mezzo π; scriverlo in {}",
                                      asked.symbol, quantity.name, own.symbol, own.symbol));
-    if (asked.kind != own.kind || (own.counts_turns && asked.symbol != own.symbol))
+    if (asked.kind != own.kind || (own.counts_turns && asked.factor != own.factor))
       file.refuse(unit, format_words("{} is told in {}, not in {}", "{} si dice in {}, non in {}", quantity.name,
                                      quantity.unit, unit.text));
   }

@@ -679,5 +679,6 @@ TEST_CASE("blanks about what parts an option's text are nothing") {
   };
   const std::string plain = swept("a=0.3..0.5/3");
   CHECK(plain == swept(" a = 0.3 .. 0.5 / 3 ", "b = 0.4 "));
+  CHECK(plain == swept("a\u00a0=\t0.3\u2009..\u00a00.5/3"));
   CHECK(swept("a=0.3|0.4|0.5") == swept("a = 0.3 | 0.4 |0.5"));
 }

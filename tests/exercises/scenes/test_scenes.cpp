@@ -166,6 +166,7 @@ TEST_CASE("what a book printed has its verdict; a number of nothing, or in a wro
   CHECK(direction("theta_4", "\"-262.58\"") == Verdict::rounding);
   CHECK(direction("theta_4", "457.42") == Verdict::rounding);
   CHECK(direction("theta_4", "98") == Verdict::disagrees);
+  CHECK(printed("quantity: theta_3, unit: °, place: p, value: 29.76", "theta_3").verdict == Verdict::rounding);
   const auto why = [&](const std::string& number) -> std::string {
     try {
       printed(number);
