@@ -278,8 +278,8 @@ PanelSheet maximum_lift_sheet(const Solution& s, Language language) {
       "Il contatto è appena mantenuto dove la camma non preme più: $\\it{P}_{min}$ = $\\it{F}^{in}_{3}$ − "
       "$\\it{P}_{3}$."};
   const Words source{", as the source has it within its reading", ", come la fonte a meno della lettura"};
-  const Words mistake = Words{"With the acceleration of the drawn position at the higher speed",
-                              "Con l'accelerazione della configurazione disegnata alla velocità maggiore"} +
+  const Words mistake = Words{"With the acceleration at the given $φ$ instead, at the higher speed",
+                              "Con l'accelerazione al $φ$ dato, alla velocità maggiore"} +
                         (s.givens().as_stated() ? source : Words{}) + Words{".", "."};
   const double P_3 = s[at + "P_3"];
   return {
@@ -289,8 +289,7 @@ PanelSheet maximum_lift_sheet(const Solution& s, Language language) {
                      .parts = {{inertia, s[at + "F_3_in"], at + "F_3_in"}, {weight, -P_3, {}}},
                      .whole = {decimal("$\\it{P}_{min}$"), s[at + "P_min"], at + "P_min"},
                      .steps = {least}},
-                    {.name = {"With the drawn position's acceleration",
-                              "Con l'accelerazione della configurazione disegnata"},
+                    {.name = {"With the acceleration at the given $φ$", "Con l'accelerazione al $φ$ dato"},
                      .parts = {{inertia, s[at + "F_3_drawn"], {}}, {weight, -P_3, {}}},
                      .whole = {decimal("$\\it{P}$"), s[at + "P_drawn"], {}},
                      .steps = {mistake}}},
