@@ -15,6 +15,7 @@
 #include "drawings/files/check_page.h"
 #include "drawings/files/svg_colour.h"
 #include "drawings/files/xml.h"
+#include "drawings/marks/style.h"
 #include "drawings/page.h"
 #include "drawings/paths/grid.h"
 #include "drawings/paths/vectors.h"
@@ -563,10 +564,7 @@ class Writer {
   }
 
   // Of most lines: said once.
-  static long usual_width() {
-    constexpr double mm = 0.18;
-    return std::lround(mm * steps_per_mm);
-  }
+  static long usual_width() { return std::lround(fine * steps_per_mm); }
 
   static void add_stroke(std::string& to, const Stroke& stroke) {
     to += " stroke=\"";

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "exercises/cli/student_columns.h"
-#include "exercises/cli/symbol.h"
 #include "exercises/kit/proof/measured.h"
 #include "exercises/kit/statement/bare_number.h"
 #include "exercises/kit/statement/suggest.h"

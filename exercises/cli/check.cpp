@@ -5,7 +5,6 @@
 #include "exercises/cli/check_report.h"
 #include "exercises/cli/givens_file.h"
 #include "exercises/cli/request.h"
-#include "exercises/cli/symbol.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/statement/suggest.h"
 #include "geometry/numbers/given.h"

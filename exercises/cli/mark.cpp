@@ -6,7 +6,6 @@
 #include "drawings/output.h"
 #include "exercises/cli/mark_report.h"
 #include "exercises/cli/request.h"
-#include "exercises/cli/symbol.h"
 #include "exercises/cli/verbs.h"
 #include "exercises/kit/statement/suggest.h"
 #include "geometry/numbers/given.h"

@@ -95,14 +95,16 @@ class Parser {
   }
   // One that may be repeated and takes one value each time, so that what follows the value is a name again.
   void add_repeatable(CLI::App& verb, const std::string& name, std::vector<std::string>& values, const Words& type,
-                      const Words& meaning) {
-    const std::vector<std::string> signs = &values == &options_.variations
-                                               ? std::vector<std::string>{"=", "..", "|", "/"}
-                                               : std::vector<std::string>{"="};
+                      const Words& meaning, const std::vector<std::string>& signs = {"="}) {
     verb.add_option(name, values, say(meaning))
         ->transform([signs](const std::string& typed) { return without_blanks_about(signs, typed); })
         ->allow_extra_args(false)
         ->type_name(say(type));
+  }
+
+  // Values of a given, from one to another or one by one.
+  void add_variations(CLI::App& verb, const std::string& name, const Words& type, const Words& meaning) {
+    add_repeatable(verb, name, options_.variations, type, meaning, {"=", "..", "|", "/"});
   }
 
   void add_flag(CLI::App& verb, const std::string& name, bool& value, const Words& meaning) {
@@ -294,7 +296,7 @@ class Parser {
   void add_sweep() {
     CLI::App& verb = add_verb("sweep");
     add_names(verb, {"ID", "ID"}, {"an exercise", "un esercizio"});
-    add_repeatable(verb, "--over", options_.variations, {"SYMBOL=FROM..TO/N", "SIMBOLO=DA..A/N"},
+    add_variations(verb, "--over", {"SYMBOL=FROM..TO/N", "SIMBOLO=DA..A/N"},
                    {"N values of a given, both ends among them; or FROM..TO/STEP, or 'A|B|C'",
                     "N valori di un dato, estremi compresi; o DA..A/PASSO, o 'A|B|C'"});
     add_repeatable(verb, "--quantity", options_.quantities, {"NAMES", "NOMI"},
@@ -328,8 +330,8 @@ class Parser {
     add(verb, "--count", of.count, {"N", "N"}, {"so many students without names", "tanti studenti senza nome"});
     add_givens_file(verb, {"CSV: each row's own givens, a column each; or lines such as r = 25 cm",
                            "CSV: i dati propri di ogni riga, una colonna ciascuno; o righe come r = 25 cm"});
-    add_repeatable(
-        verb, "--vary", options_.variations, {"SYMBOL=FROM..TO/STEP", "SIMBOLO=DA..A/PASSO"},
+    add_variations(
+        verb, "--vary", {"SYMBOL=FROM..TO/STEP", "SIMBOLO=DA..A/PASSO"},
         {"a given drawn by lot; or FROM..TO/COUNT, or A|B|C", "un dato sorteggiato; o DA..A/QUANTI, o A|B|C"});
     add(verb, "--seed", of.seed, {"TEXT", "TESTO"},
         {"the same seed draws the same lots (default: 1)", "lo stesso seme dà gli stessi sorteggi (predefinito: 1)"});

@@ -11,6 +11,7 @@
 #include "drawings/text/unicode.h"
 #include "exercises/cli/report_document.h"
 #include "exercises/cli/utf8.h"
+#include "words/replace_all.h"
 
 namespace epure {
 namespace {
@@ -110,10 +111,6 @@ class MarkdownLine {
     if (sign.empty() && letters.empty()) return "{}";
     ends_in_formula_ = set_.ends_with('$') && !set_.ends_with("\\$");
     return drawings::tex_of_mathematics({Node{.letters = letters}}) + sign;
-  }
-  static void replace_all(std::string& text, const std::string& part, const std::string& by) {
-    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + by.size()))
-      text.replace(at, part.size(), by);
   }
   void add_mathematics(std::string tex) {
     tex = readable(std::move(tex));

@@ -6,7 +6,6 @@
 
 #include "exercises/cli/givens_file.h"
 #include "exercises/cli/request.h"
-#include "exercises/cli/symbol.h"
 #include "exercises/cli/variations.h"
 #include "exercises/kit/statement/suggest.h"
 

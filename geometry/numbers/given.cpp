@@ -11,6 +11,7 @@
 #include "geometry/numbers/unit_product.h"
 #include "geometry/numbers/unit_symbol.h"
 #include "words/quoted.h"
+#include "words/replace_all.h"
 
 namespace epure::geometry {
 
@@ -409,9 +410,7 @@ std::string in_plain_characters(std::string text) {
                                                                       {"\u202F", ' '},
                                                                       {"\u2212", '-'},
                                                                       {"\u2013", '-'}}};
-  for (const auto& [character, plain] : printed)
-    for (auto at = text.find(character); at != std::string::npos; at = text.find(character, at))
-      text.replace(at, character.size(), 1, plain);
+  for (const auto& [character, plain] : printed) replace_all(text, character, std::string_view(&plain, 1));
   return text;
 }
 

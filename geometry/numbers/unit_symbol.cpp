@@ -4,13 +4,10 @@
 #include <array>
 #include <string_view>
 
+#include "words/replace_all.h"
+
 namespace epure::geometry {
 namespace {
-
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-}
 
 // "s^-2", "s-2" and "sec" of a product of units: the unit, and its power where that is negative.
 struct Factor {

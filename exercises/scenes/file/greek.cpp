@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "words/replace_all.h"
+
 namespace epure::scenes {
 namespace {
 
@@ -75,9 +77,8 @@ std::string italic_letters(const std::string& symbol) {
 }
 
 std::string as_printed(std::string amount) {
-  for (const auto& [from, to] : {std::pair<std::string, std::string>{" deg", "°"}, {"-", "−"}})
-    for (std::size_t at = 0; (at = amount.find(from, at)) != std::string::npos; at += to.size())
-      amount.replace(at, from.size(), to);
+  replace_all(amount, " deg", "°");
+  replace_all(amount, "-", "−");
   return amount;
 }
 

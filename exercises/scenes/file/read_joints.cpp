@@ -218,11 +218,8 @@ class JointsReader : SectionReader {
   Words pressure_angle(const Tree& gear, Angle& angle) const {
     const Tree* at = gear.find("pressure_angle");
     if (!at) {
-      const Words taken = Words{"pressure angle", "angolo di pressione"} + "\u00a0=\u00a020°";
       const bool are_forces_asked = root_.find("loads") || root_.find("masses");
-      if (are_forces_asked &&
-          std::find(built_.in_place.begin(), built_.in_place.end(), taken) == built_.in_place.end())
-        built_.in_place.push_back(taken);
+      if (are_forces_asked) tell_once(Words{"pressure angle", "angolo di pressione"} + "\u00a0=\u00a020°");
       return {"20°", "20°"};
     }
     angle = amount(*at, Kind::angle).angle;

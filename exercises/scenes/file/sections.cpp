@@ -148,9 +148,12 @@ void SectionReader::tell(const Words& what, const Tree* at, geometry::Kind kind)
   if (!at) return;
   const std::string text = spelled_out(at->text);
   if (of_.given.contains(text.substr(std::min(text.find_first_not_of("- "), text.size())))) return;
-  const Words all = what + "\u00a0" + equal_to_amount(*at, kind);
-  if (std::find(built_.in_place.begin(), built_.in_place.end(), all) == built_.in_place.end())
-    built_.in_place.push_back(all);
+  tell_once(what + "\u00a0" + equal_to_amount(*at, kind));
+}
+
+void SectionReader::tell_once(const Words& told) const {
+  std::vector<Words>& all = built_.in_place;
+  if (std::find(all.begin(), all.end(), told) == all.end()) all.push_back(told);
 }
 
 const TextTree& SectionReader::section(const char* name) const {

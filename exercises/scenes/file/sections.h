@@ -66,6 +66,7 @@ class SectionReader {
   Words words_of_amount(const Tree& at, geometry::Kind kind) const;
   // Told on the sheets beside the givens, unless it is one of these or its opposite; `at` may be none.
   void tell(const Words& what, const Tree* at, geometry::Kind kind) const;
+  void tell_once(const Words& told) const;
   // Zero where the map does not say it.
   geometry::Angle turning(const Tree& map, const std::string& key, geometry::Kind kind) const;
 
